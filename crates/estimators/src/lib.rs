@@ -1,0 +1,1 @@
+//! Set-membership filters on vector spaces and Lie groups.

@@ -1,0 +1,1 @@
+//! Lie groups over f64 and over intervals: exp, log, Jacobians with rigorous enclosures.

@@ -1,0 +1,1 @@
+//! Outward-rounded interval arithmetic and the scalar trait models are written in.

@@ -1,0 +1,1 @@
+//! The papers' experiments: plants, simulators, noise, metrics, Monte Carlo runs, figures.

@@ -1,0 +1,1 @@
+//! Sets that enclose: zonotopes and their operations, rounding included.
