@@ -1,1 +1,21 @@
 //! The papers' experiments: plants, simulators, noise, metrics, Monte Carlo runs, figures.
+//!
+//! An [`Experiment`] is found in [`all`], is given a [`Context`] and hands back an [`Output`]: rows of numbers ([`results`]), a text
+//! ([`report`]), figures ([`figure`]) and curves ([`curve`]), all in memory. Random streams and parallel runs come from [`monte_carlo`].
+
+pub mod curve;
+pub mod data;
+mod error;
+pub mod experiment;
+pub mod figure;
+pub mod html;
+pub mod monte_carlo;
+pub mod report;
+pub mod results;
+
+pub use curve::Curve;
+pub use error::ScenarioError;
+pub use experiment::{Context, Experiment, Output, Progress, all};
+pub use figure::Figure;
+pub use report::{Report, Table};
+pub use results::{Mode, Results, Row, Status};
