@@ -1,1 +1,49 @@
-//! Lie groups over f64 and over intervals: exp, log, Jacobians with rigorous enclosures.
+//! Matrix Lie groups over `f64` and over intervals.
+//!
+//! Every group of this crate is written once, generic over its scalar: over `f64` the operations are accurate to a few
+//! units in the last place at every scale of the rotation angle, over [`scalars::Interval`] they are enclosures.
+//!
+//! # Conventions
+//! - **Tangent order:** rotation first, then translation: `xi = (theta, x1, x2)` on SE(2). Angles are radians.
+//! - **exp** maps a tangent vector to the group, `exp(xi) = expm(hat(xi))`; **log** is its principal inverse.
+//! - **Adjoint:** `X exp(xi) X^-1 = exp(Ad_X xi)`; `ad_xi` is its derivative, `Ad_exp(xi) = expm(ad_xi)`, `ad_xi eta = [xi, eta]`.
+//! - **Left Jacobian:** `exp(xi + d) = exp(Jl(xi) d) exp(xi)` to first order in `d`; `Jl(xi) = sum_j ad_xi^j / (j + 1)!`.
+//! - **Right Jacobian:** `exp(xi + d) = exp(xi) exp(Jr(xi) d)` to first order; `Jr(xi) = Jl(-xi)`.
+//! - **Action:** `X . p` is affine in the point `p`; `act_linear` is its linear part.
+//!
+//! # What the answers mean
+//! | scalar | an element stands for | results |
+//! |---|---|---|
+//! | `f64` | one element, rounded | rounded, not for bounds |
+//! | `Interval` | every element of the group in a box of its parameters | supersets of the exact image of the box |
+//!
+//! NaN and infinities pass through the operations that return a value (over intervals: the entire line) and are a
+//! [`GroupError`] in those that return a `Result`.
+//!
+//! ```
+//! use lie_groups::{LieGroup, SE2};
+//! use nalgebra::{Vector2, Vector3};
+//!
+//! // Drive along an arc: turn by 90 degrees while moving pi/2 ahead; the circle has radius 1.
+//! let quarter = std::f64::consts::FRAC_PI_2;
+//! let pose = SE2::exp(&Vector3::new(quarter, quarter, 0.0));
+//! assert!((pose.act(&Vector2::zeros()) - Vector2::new(1.0, 1.0)).norm() < 1e-15);
+//! assert!((pose.log()? - Vector3::new(quarter, quarter, 0.0)).norm() < 1e-15);
+//! # Ok::<(), lie_groups::GroupError>(())
+//! ```
+
+mod coeff;
+mod complex;
+mod error;
+mod lie_group;
+mod rn;
+mod se2;
+mod so2;
+
+pub use coeff::Coeff;
+pub use complex::Complex;
+pub use error::GroupError;
+pub use lie_group::LieGroup;
+pub use rn::Rn;
+pub use se2::SE2;
+pub use so2::SO2;

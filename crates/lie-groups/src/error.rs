@@ -1,0 +1,65 @@
+//! What can go wrong on a group.
+
+use thiserror::Error;
+
+/// Why an operation on a group has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum GroupError {
+    /// The rotation angle can be a half turn, where the principal logarithm jumps from `pi` to `-pi`.
+    #[error(
+        "the rotation can reach a half turn (cos in [{cos_lo}, {cos_hi}], sin in [{sin_lo}, {sin_hi}]): no single logarithm"
+    )]
+    HalfTurn {
+        /// Lower bound of the cosine of the angle.
+        cos_lo: f64,
+        /// Upper bound of the cosine of the angle.
+        cos_hi: f64,
+        /// Lower bound of the sine of the angle.
+        sin_lo: f64,
+        /// Upper bound of the sine of the angle.
+        sin_hi: f64,
+    },
+
+    /// The rotation angle can be a full turn, where the exponential is not locally invertible and `Jl^-1` has a pole.
+    #[error(
+        "the rotation angle [{theta_lo_rad}, {theta_hi_rad}] rad reaches a full turn: the Jacobian has no inverse there"
+    )]
+    FullTurn {
+        /// Lower bound of the angle in radians.
+        theta_lo_rad: f64,
+        /// Upper bound of the angle in radians.
+        theta_hi_rad: f64,
+    },
+
+    /// An input coordinate is NaN, infinite, or (over intervals) unbounded or empty.
+    #[error("coordinate {index} is not finite")]
+    NotFinite {
+        /// Which coordinate, in the order of the argument.
+        index: usize,
+    },
+
+    /// The cosine and sine given are no rotation: both zero, or a box that misses the unit circle.
+    #[error("cos and sin given lie off the unit circle")]
+    NotARotation,
+
+    /// A matrix has the wrong shape.
+    #[error("matrix is {found_rows} x {found_cols}, expected {expected} x {expected}")]
+    Shape {
+        /// Rows and columns of the group's matrices.
+        expected: usize,
+        /// Rows given.
+        found_rows: usize,
+        /// Columns given.
+        found_cols: usize,
+    },
+
+    /// A matrix is not in the Lie algebra: `hat(vee(M))` differs from `M`.
+    #[error("matrix is not in the Lie algebra: entry ({row}, {col}) breaks its pattern")]
+    NotInAlgebra {
+        /// Row of the first offending entry.
+        row: usize,
+        /// Column of the first offending entry.
+        col: usize,
+    },
+}

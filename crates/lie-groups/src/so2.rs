@@ -1,0 +1,161 @@
+//! SO(2): rotations of the plane.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use scalars::Interval;
+
+use crate::lie_group::checked_vee;
+use crate::{Coeff, Complex, GroupError, LieGroup};
+
+/// A rotation of the plane by the angle `theta`.
+///
+/// - **Tangent:** `xi = (theta)`, radians.
+/// - **Storage:** the unit complex number `cos theta + i sin theta`.
+/// - **Acts on** points of `R^2`: `R p`.
+/// - **Matrix:** `R = [cos -sin; sin cos]`, `hat(xi) = [0 -theta; theta 0]`.
+/// - The group is commutative: `Ad = I`, `ad = 0`, `Jl = Jr = I`.
+///
+/// Over `f64` every product is brought back to the unit circle to first order ([`Coeff::near_unit`]), so that the norm stays within
+/// a few units in the last place of 1 after any number of products. Over `Interval` an element is the set of rotations
+/// whose cosine and sine lie in the two intervals.
+///
+/// ```
+/// use lie_groups::{LieGroup, SO2};
+/// use nalgebra::{Vector1, Vector2};
+///
+/// let turn = SO2::exp(&Vector1::new(0.5));
+/// let back = turn.compose(&turn).inverse();
+/// assert!((back.log()?[0] + 1.0).abs() < 1e-15);
+/// assert!((turn.act(&Vector2::new(1.0, 0.0)) - Vector2::new(0.5_f64.cos(), 0.5_f64.sin())).norm() < 1e-15);
+/// # Ok::<(), lie_groups::GroupError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SO2<S> {
+    unit: Complex<S>,
+}
+
+impl<S: Coeff> SO2<S> {
+    /// Rotation by an angle in radians; any angle.
+    #[inline]
+    pub fn from_angle(theta_rad: S) -> Self {
+        Self { unit: S::cis(theta_rad) }
+    }
+
+    /// Rotation with the direction `cos + i sin`; over `f64` it is scaled to length 1, over `Interval` it is the set of
+    /// rotations whose cosine and sine lie in the box.
+    ///
+    /// # Errors
+    /// [`GroupError::NotFinite`] (index 0 the cosine, 1 the sine), or [`GroupError::NotARotation`] for `(0, 0)` or a box that misses the unit circle.
+    pub fn from_cos_sin(cos: S, sin: S) -> Result<Self, GroupError> {
+        Ok(Self { unit: S::unit(Complex::new(cos, sin))? })
+    }
+
+    /// The rotation as the unit complex number `cos theta + i sin theta`.
+    #[inline]
+    pub fn unit(&self) -> Complex<S> {
+        self.unit
+    }
+
+    /// Angle in `(-pi, pi)` radians.
+    ///
+    /// # Errors
+    /// Those of [`LieGroup::log`].
+    #[inline]
+    pub fn angle(&self) -> Result<S, GroupError> {
+        S::angle(self.unit)
+    }
+
+    /// Rotation whose unit complex number is already on the circle (up to rounding).
+    #[inline]
+    pub(crate) fn from_unit(unit: Complex<S>) -> Self {
+        Self { unit }
+    }
+}
+
+impl SO2<f64> {
+    /// The exact rotation that this rounded one stands for, `z / |z|`, as a tight box.
+    ///
+    /// **Guarantee:** the box contains the exact unit complex number in the direction of the stored one.
+    pub fn enclose(&self) -> SO2<Interval> {
+        let (re, im) = (Interval::point(self.unit.re), Interval::point(self.unit.im));
+        let norm = (re.sqr() + im.sqr()).sqrt();
+        SO2 { unit: Interval::near_unit(Complex::new(re / norm, im / norm)) }
+    }
+}
+
+impl<S: Coeff> LieGroup<S, 1, 2> for SO2<S> {
+    #[inline]
+    fn identity() -> Self {
+        Self { unit: Complex::new(S::one(), S::zero()) }
+    }
+
+    #[inline]
+    fn exp(xi: &SVector<S, 1>) -> Self {
+        Self::from_angle(xi[0])
+    }
+
+    #[inline]
+    fn log(&self) -> Result<SVector<S, 1>, GroupError> {
+        Ok(SVector::<S, 1>::new(self.angle()?))
+    }
+
+    #[inline]
+    fn compose(&self, other: &Self) -> Self {
+        Self { unit: S::near_unit(self.unit * other.unit) }
+    }
+
+    #[inline]
+    fn inverse(&self) -> Self {
+        Self { unit: self.unit.conj() }
+    }
+
+    #[inline]
+    fn act(&self, p: &SVector<S, 2>) -> SVector<S, 2> {
+        (self.unit * Complex::from_vector(p)).to_vector()
+    }
+
+    #[inline]
+    fn act_linear(&self) -> SMatrix<S, 2, 2> {
+        self.unit.to_matrix()
+    }
+
+    #[inline]
+    fn act_jacobian(p: &SVector<S, 2>) -> SMatrix<S, 2, 1> {
+        Complex::from_vector(p).times_i().to_vector()
+    }
+
+    #[inline]
+    fn adjoint(&self) -> SMatrix<S, 1, 1> {
+        SMatrix::<S, 1, 1>::new(S::one())
+    }
+
+    #[inline]
+    fn ad(_xi: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+        SMatrix::<S, 1, 1>::new(S::zero())
+    }
+
+    #[inline]
+    fn jl(_xi: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+        SMatrix::<S, 1, 1>::new(S::one())
+    }
+
+    /// The identity: on a commutative group the Jacobian is invertible at every angle.
+    #[inline]
+    fn jl_inv(xi: &SVector<S, 1>) -> Result<SMatrix<S, 1, 1>, GroupError> {
+        xi[0].check_finite(0)?;
+        Ok(SMatrix::<S, 1, 1>::new(S::one()))
+    }
+
+    fn hat(xi: &SVector<S, 1>) -> DMatrix<S> {
+        let theta = xi[0];
+        DMatrix::from_row_slice(2, 2, &[S::zero(), -theta, theta, S::zero()])
+    }
+
+    fn vee(matrix: &DMatrix<S>) -> Result<SVector<S, 1>, GroupError> {
+        checked_vee(matrix, 2, |m| SVector::<S, 1>::new(m[(1, 0)]), Self::hat)
+    }
+
+    fn matrix(&self) -> DMatrix<S> {
+        let Complex { re: cos, im: sin } = self.unit;
+        DMatrix::from_row_slice(2, 2, &[cos, -sin, sin, cos])
+    }
+}
