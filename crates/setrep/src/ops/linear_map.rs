@@ -1,0 +1,188 @@
+//! Image under a matrix, `R X = { R x : x in X }`.
+
+use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
+use scalars::rounding::{add_up, gamma_up};
+
+use crate::bounds::{add_abs_row_sums, product_sum_bound, sum_bound};
+use crate::{Matrix, Part, SetError, Workspace, Zonotope};
+
+impl Zonotope {
+    /// Image of the set under the matrix `R: p x n`.
+    ///
+    /// `R <c, G, r> = <R c, R G, |R| r>`, after a remainder of model size has become generators.
+    ///
+    /// **Guarantee:** superset of the exact image; see [`linear_map_in_place`](Self::linear_map_in_place).
+    /// **Source:** paper 000, Property 2.1.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`], [`SetError::NonFinite`] in `R`, [`SetError::Overflow`].
+    ///
+    /// ```
+    /// # use setrep::{Matrix, Zonotope};
+    /// let square = Zonotope::from_box(&[0.0, 0.0], &[1.0, 1.0])?;
+    /// let diamond = square.linear_map(&Matrix::from_rows(&[&[0.5, -0.5], &[0.5, 0.5]])?)?;
+    /// assert!(diamond.support(&[1.0, 1.0])? < 1.0 + 1e-15);
+    /// # Ok::<(), setrep::SetError>(())
+    /// ```
+    pub fn linear_map(&self, map: &Matrix) -> Result<Self, SetError> {
+        let mut image = self.clone();
+        image.linear_map_in_place(map, &mut Workspace::new())?;
+        Ok(image)
+    }
+
+    /// [`linear_map`](Self::linear_map) in place; allocates nothing within the capacity of set and workspace.
+    ///
+    /// A row `i` of `R` with `z` nonzero entries gives entries off by at most `gamma_z sum_k |R_ik| |x_k|`, and only their sum over
+    /// center and generators matters to the set, so `r_i' = sum_k |R_ik| (r_k + gamma_z (|c_k| + sum_j |G_kj|))`, rounded up. Rows
+    /// that select or negate one coordinate are exact. A component `r_k` of model size (above `1e-9` of the set's extent and `1e-12`
+    /// of its magnitude there) that `R` spreads over several rows becomes a generator first, for `|R| r` would wrap it.
+    ///
+    /// **Guarantee:** superset of the exact image.
+    ///
+    /// # Errors
+    /// As [`linear_map`](Self::linear_map); the set is then unchanged.
+    pub fn linear_map_in_place(&mut self, map: &Matrix, workspace: &mut Workspace) -> Result<(), SetError> {
+        SetError::check_size(Part::Map, self.dim(), map.cols())?;
+        if map.rows() == 0 {
+            return Err(SetError::ZeroDimension { part: Part::Map });
+        }
+        self.magnitudes(map, workspace);
+        remainder_of_image(map, self.num_generators() + self.dim() + 1, workspace)?;
+        self.apply(map, workspace);
+        Ok(())
+    }
+
+    /// Per row `k`: in `workspace.row_sums` a bound of `|c_k| + sum_j |G_kj|` (with the part of `r` that becomes generators), in
+    /// `workspace.center` the part of `r` that is carried on.
+    pub(crate) fn magnitudes(&self, map: &Matrix, workspace: &mut Workspace) {
+        let (sums, carried) = (&mut workspace.row_sums, &mut workspace.center);
+        sums.clear();
+        sums.resize(self.dim(), 0.0);
+        add_abs_row_sums(self.generators.as_slice(), sums);
+        carried.clear();
+        carried.extend_from_slice(&self.remainder);
+        for k in 0..sums.len() {
+            let (extent, center) = (sums[k], self.center[k].abs());
+            sums[k] = sum_bound(extent + center, self.num_generators() + 4);
+            if is_model_size(carried[k], extent, center) && spreads(map.col(k)) {
+                sums[k] = add_up(sums[k], carried[k]);
+                carried[k] = 0.0;
+            }
+        }
+    }
+
+    /// Replaces the set by its image, given [`magnitudes`](Self::magnitudes) and the new remainder in the workspace.
+    pub(crate) fn apply(&mut self, map: &Matrix, workspace: &mut Workspace) {
+        for k in 0..self.dim() {
+            // What is not carried on becomes a generator.
+            if self.remainder[k] != workspace.center[k] {
+                self.generators.push_axis(k, self.remainder[k]);
+            }
+        }
+        let (p, n) = (map.rows(), map.cols());
+        self.remainder.clear();
+        self.remainder.extend_from_slice(&workspace.remainder);
+        if p == n && multiply_small(map.as_slice(), n, self.center.as_mut_slice()) {
+            multiply_small(map.as_slice(), n, self.generators.as_mut_slice());
+            return;
+        }
+        multiply(map, &self.center, 1, &mut workspace.center);
+        core::mem::swap(&mut self.center, &mut workspace.center);
+        multiply(map, self.generators.as_slice(), self.generators.cols(), &mut workspace.matrix);
+        self.generators.swap_storage(p, &mut workspace.matrix);
+    }
+}
+
+/// Whether the box remainder `r` is more than rounding beside the generators' extent and the center in its row.
+pub(crate) fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
+    r > 1e-9 * extent && r > 1e-12 * center
+}
+
+/// Whether a column of a map has more than one nonzero entry.
+fn spreads(column: &[f64]) -> bool {
+    column.iter().filter(|&&x| x != 0.0).count() > 1
+}
+
+/// The remainder of the image, from the magnitudes in the workspace; proves that no entry of the image overflows.
+/// `columns` counts the columns that are mapped, the center included.
+pub(crate) fn remainder_of_image(map: &Matrix, columns: usize, workspace: &mut Workspace) -> Result<(), SetError> {
+    let (p, n) = (map.rows(), map.cols());
+    workspace.remainder.clear();
+    for i in 0..p {
+        let (mut magnitude, mut carried, mut nonzeros, mut unit, mut active) = (0.0, 0.0, 0, true, false);
+        for k in 0..n {
+            let a = map.as_slice()[k * p + i].abs();
+            let (x, r) = (workspace.row_sums[k], workspace.center[k]);
+            magnitude += a * x;
+            carried += a * r;
+            nonzeros += usize::from(a != 0.0);
+            unit &= a == 0.0 || a == 1.0;
+            active |= a != 0.0 && (x != 0.0 || r != 0.0);
+        }
+        let remainder = if unit && nonzeros <= 1 {
+            // The row selects, negates or drops one coordinate: exact.
+            carried
+        } else if active {
+            magnitude = product_sum_bound(magnitude, n, n);
+            let rounding = product_sum_bound(gamma_up(nonzeros) * magnitude, columns * n, 1);
+            add_up(product_sum_bound(carried, n, n), rounding)
+        } else {
+            0.0
+        };
+        // The magnitude bounds every entry and every partial sum on the way to it; NaN fails the comparison.
+        let bounded = magnitude + remainder < f64::MAX;
+        if !bounded {
+            SetError::check_finite(Part::Map, p, map.as_slice())?;
+            return Err(SetError::Overflow { row: i });
+        }
+        workspace.remainder.push(remainder);
+    }
+    Ok(())
+}
+
+/// `product = map * columns` through faer; `columns` holds `cols` columns.
+fn multiply(map: &Matrix, columns: &[f64], cols: usize, product: &mut Vec<f64>) {
+    let (p, n) = (map.rows(), map.cols());
+    product.clear();
+    product.resize(p * cols, 0.0);
+    matmul(
+        MatMut::from_column_major_slice_mut(product, p, cols),
+        Accum::Replace,
+        MatRef::from_column_major_slice(map.as_slice(), p, n),
+        MatRef::from_column_major_slice(columns, n, cols),
+        1.0,
+        Par::Seq,
+    );
+}
+
+/// `columns = map * columns` in place for the sizes of most groups; `false` if `n` is not among them.
+///
+/// At these sizes the call of a general product costs more than its arithmetic: see `examples/timing.rs`.
+fn multiply_small(map: &[f64], n: usize, columns: &mut [f64]) -> bool {
+    match n {
+        1 => multiply_columns::<1>(map, columns),
+        2 => multiply_columns::<2>(map, columns),
+        3 => multiply_columns::<3>(map, columns),
+        4 => multiply_columns::<4>(map, columns),
+        _ => return false,
+    }
+    true
+}
+
+/// `columns = map * columns` in place, `map: N x N`.
+#[inline]
+fn multiply_columns<const N: usize>(map: &[f64], columns: &mut [f64]) {
+    let mut r = [[0.0; N]; N];
+    for (target, source) in r.iter_mut().zip(map.as_chunks::<N>().0) {
+        *target = *source;
+    }
+    for column in columns.as_chunks_mut::<N>().0 {
+        let mut y = [0.0; N];
+        for k in 0..N {
+            for i in 0..N {
+                y[i] += r[k][i] * column[k];
+            }
+        }
+        *column = y;
+    }
+}

@@ -1,0 +1,16 @@
+//! One operation family a file.
+
+mod affine;
+mod cartesian_product;
+// mod gauge;
+mod interval_hull;
+// mod interval_map;
+mod linear_map;
+mod materialize;
+// pub(crate) mod membership;
+mod minkowski_sum;
+// mod planar;
+// mod size;
+// mod support;
+// pub(crate) mod volume;
+// mod witness;

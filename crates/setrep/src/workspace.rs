@@ -1,0 +1,31 @@
+//! Scratch memory that the caller owns, so that operations in steady state allocate nothing.
+
+/// Buffers for the operations that take one. Grows to the largest use and is then reused; holds no result.
+#[derive(Debug, Default, Clone)]
+pub struct Workspace {
+    /// Per-row sums of absolute values of the generators (and the center).
+    pub(crate) row_sums: Vec<f64>,
+    /// The remainder being built.
+    pub(crate) remainder: Vec<f64>,
+    /// The center being built.
+    pub(crate) center: Vec<f64>,
+    /// A matrix being built.
+    pub(crate) matrix: Vec<f64>,
+    /// Packed (key, column) pairs of a selection.
+    pub(crate) keys: Vec<u64>,
+    /// Selected columns.
+    pub(crate) selected: Vec<usize>,
+    /// A frame, its coordinates and their sums.
+    pub(crate) frame: Vec<f64>,
+    pub(crate) coordinates: Vec<f64>,
+    pub(crate) scales: Vec<f64>,
+    pub(crate) eigen: Vec<f64>,
+}
+
+impl Workspace {
+    /// An empty workspace.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
