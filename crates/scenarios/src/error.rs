@@ -62,4 +62,13 @@ pub enum ScenarioError {
         /// The given value.
         value: f64,
     },
+    /// A simulated step could not be proven to be one of the model.
+    #[error("the simulated trajectory is not proven to be one of the model")]
+    Truth(#[from] crate::truth::TruthError),
+    /// A filter failed.
+    #[error("a filter failed")]
+    Estimator(#[from] estimators::EstimatorError),
+    /// A set operation failed.
+    #[error("a set operation failed")]
+    Set(#[from] setrep::SetError),
 }

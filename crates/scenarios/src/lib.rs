@@ -9,9 +9,14 @@ mod error;
 pub mod experiment;
 pub mod figure;
 pub mod html;
+pub mod inzsmf;
+pub mod metrics;
 pub mod monte_carlo;
+pub mod noise;
 pub mod report;
 pub mod results;
+pub mod truth;
+pub mod vehicle;
 
 pub use curve::Curve;
 pub use error::ScenarioError;

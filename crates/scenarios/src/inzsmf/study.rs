@@ -1,0 +1,133 @@
+//! Monte Carlo runs of several filters from several initial estimates, all on the same noises.
+
+use std::time::Instant;
+
+use crate::inzsmf::cases::{STEPS, TABLE_I};
+use crate::inzsmf::tracking::{Tracker, metrics_of};
+use crate::metrics::RunMetrics;
+use crate::noise::NoiseKind;
+use crate::vehicle::{Pose, Truth, Vehicle};
+use crate::{Context, Mode, ScenarioError, monte_carlo};
+
+/// Name of the random streams: run `i` has the same noises in every study, for every filter and every initial estimate.
+const STREAMS: &str = "inzsmf";
+
+/// Builds a filter at an initial estimate.
+type Build = Box<dyn Fn(Pose) -> Result<Box<dyn Tracker>, ScenarioError> + Sync>;
+
+/// A filter with its settings, ready to be started anywhere.
+pub struct Contender {
+    /// Name in the rows: the filter, `/`, the variant.
+    pub method: String,
+    /// How the paper's algorithm is run.
+    pub mode: Mode,
+    build: Build,
+}
+
+impl std::fmt::Debug for Contender {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Contender").field("method", &self.method).field("mode", &self.mode).finish_non_exhaustive()
+    }
+}
+
+impl Contender {
+    /// A filter under a name.
+    pub fn new<T, F>(method: impl Into<String>, mode: Mode, build: F) -> Self
+    where
+        T: Tracker + 'static,
+        F: Fn(Pose) -> Result<T, ScenarioError> + Sync + 'static,
+    {
+        let build: Build = Box::new(move |initial| Ok(Box::new(build(initial)?)));
+        Self { method: method.into(), mode, build }
+    }
+
+    /// The filter at an initial estimate.
+    ///
+    /// # Errors
+    /// Those of the filter's constructor.
+    pub fn start(&self, initial: Pose) -> Result<Box<dyn Tracker>, ScenarioError> {
+        (self.build)(initial)
+    }
+}
+
+/// The metrics of all runs of one filter from one initial estimate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Index in [`TABLE_I`].
+    pub case: usize,
+    /// The filter's name.
+    pub method: String,
+    /// Its mode.
+    pub mode: Mode,
+    /// Metrics, run by run.
+    pub runs: Vec<RunMetrics>,
+}
+
+impl Cell {
+    /// One metric of all runs; `metric` is an index in [`RunMetrics::NAMES`].
+    #[must_use]
+    pub fn samples(&self, metric: usize) -> Vec<f64> {
+        self.runs.iter().map(|run| run.values()[metric]).collect()
+    }
+
+    /// Mean over the runs of one metric.
+    #[must_use]
+    pub fn mean(&self, metric: usize) -> f64 {
+        self.samples(metric).iter().sum::<f64>() / self.runs.len() as f64
+    }
+}
+
+/// The truth of run `run`.
+///
+/// # Errors
+/// [`ScenarioError::Truth`] if a step cannot be proven.
+pub fn truth_of(context: &Context<'_>, kind: NoiseKind, steps: usize, run: usize) -> Result<Truth, ScenarioError> {
+    Ok(Vehicle::new().simulate(kind, steps, &mut monte_carlo::stream(context.seed, STREAMS, run))?)
+}
+
+/// Runs every contender from every initial estimate of `cases`, with uniform noises.
+///
+/// Cells come case by case, then in the order of the contenders.
+///
+/// # Errors
+/// Those of the filters.
+pub fn study(
+    context: &Context<'_>,
+    label: &str,
+    runs: usize,
+    cases: &[usize],
+    contenders: &[Contender],
+) -> Result<Vec<Cell>, ScenarioError> {
+    let pairs: Vec<(usize, &Contender)> =
+        cases.iter().flat_map(|&case| contenders.iter().map(move |contender| (case, contender))).collect();
+    let by_run = monte_carlo::run(context, label, runs, |run, _| {
+        let truth = truth_of(context, NoiseKind::Uniform, STEPS, run)?;
+        let metrics =
+            |&(case, contender): &(usize, &Contender)| metrics_of(&truth, &mut *contender.start(TABLE_I[case].pose)?);
+        pairs.iter().map(metrics).collect::<Result<Vec<_>, ScenarioError>>()
+    })?;
+    let cell = |(index, &(case, contender)): (usize, &(usize, &Contender))| Cell {
+        case,
+        method: contender.method.clone(),
+        mode: contender.mode,
+        runs: by_run.iter().map(|metrics| metrics[index]).collect(),
+    };
+    Ok(pairs.iter().enumerate().map(cell).collect())
+}
+
+/// The cell of a case, a method and a mode.
+#[must_use]
+pub fn find<'a>(cells: &'a [Cell], case: usize, method: &str, mode: Mode) -> Option<&'a Cell> {
+    cells.iter().find(|cell| cell.case == case && cell.method == method && cell.mode == mode)
+}
+
+/// Mean wall-clock time of one step, in seconds: one run from one initial estimate, metrics included.
+///
+/// # Errors
+/// Those of the filter.
+pub fn step_time_s(truth: &Truth, contender: &Contender, case: usize) -> Result<f64, ScenarioError> {
+    let mut tracker = contender.start(TABLE_I[case].pose)?;
+    let start = Instant::now();
+    metrics_of(truth, &mut *tracker)?;
+    Ok(start.elapsed().as_secs_f64() / truth.outputs.len().max(1) as f64)
+}
