@@ -172,6 +172,13 @@ impl Matrix {
         transpose
     }
 
+    /// Makes this the `rows x cols` matrix of zeros; allocates nothing within capacity.
+    pub fn reset(&mut self, rows: usize, cols: usize) {
+        (self.rows, self.cols) = (rows, cols);
+        self.data.clear();
+        self.data.resize(rows * cols, 0.0);
+    }
+
     /// Appends `columns` (whole columns, column-major).
     pub(crate) fn append_columns(&mut self, columns: &[f64]) {
         debug_assert_eq!(columns.len() % self.rows.max(1), 0);
