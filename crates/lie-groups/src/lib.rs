@@ -34,6 +34,7 @@
 
 mod coeff;
 mod complex;
+mod enclose;
 mod error;
 mod lie_group;
 mod rn;
@@ -42,6 +43,7 @@ mod so2;
 
 pub use coeff::Coeff;
 pub use complex::Complex;
+pub use enclose::Enclose;
 pub use error::GroupError;
 pub use lie_group::LieGroup;
 pub use rn::Rn;

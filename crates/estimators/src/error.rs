@@ -1,0 +1,119 @@
+//! What can go wrong in a filter, with the numbers that say where.
+
+use setrep::SetError;
+use thiserror::Error;
+
+/// Error of a filter or a gain. A filter that returns one is left as it was before the call.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EstimatorError {
+    /// A number is NaN or infinite.
+    #[error("{what}: entry {index} is {value}, not a finite number")]
+    NotFinite {
+        /// The argument or the result the entry belongs to.
+        what: &'static str,
+        /// Position of the entry, column by column for a matrix.
+        index: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// A vector, a matrix or a set has the wrong size.
+    #[error("{what}: size {found}, expected {expected}")]
+    Size {
+        /// The argument of the wrong size.
+        what: &'static str,
+        /// The size it must have.
+        expected: usize,
+        /// The size it has.
+        found: usize,
+    },
+    /// A noise set or an initial error set has a center other than 0: move it into the input, the output or the estimate.
+    #[error("{what}: center entry {index} is {value}, not 0")]
+    NotCentered {
+        /// The set.
+        what: &'static str,
+        /// Position of the entry.
+        index: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// `S = C P C' + Q_v` has no inverse: some combination of outputs has neither noise nor spread.
+    #[error("S = C P C' + Q_v of {outputs} outputs is singular: pivot ratio {pivot_ratio:e}, need at least {limit:e}")]
+    SingularInnovation {
+        /// Number of outputs, the size of `S`.
+        outputs: usize,
+        /// Smallest squared Cholesky pivot over the diagonal entry it came from; 0 if the factorisation broke down.
+        pivot_ratio: f64,
+        /// Smallest ratio accepted.
+        limit: f64,
+    },
+    /// The pair `(A, C)` is not observable, so no gain moves all eigenvalues of `A - L C`.
+    #[error("the pair (A, C) is not observable: rank {rank} of {states}")]
+    NotObservable {
+        /// Numerical rank of the observability matrix.
+        rank: usize,
+        /// Number of states.
+        states: usize,
+    },
+    /// A list of poles has the wrong length.
+    #[error("{found} poles for {expected} states")]
+    PoleCount {
+        /// Number of states.
+        expected: usize,
+        /// Number of poles.
+        found: usize,
+    },
+    /// A complex pole comes without its conjugate.
+    #[error("pole {re} + {im} i has no conjugate in the list")]
+    PoleNotConjugate {
+        /// Real part.
+        re: f64,
+        /// Imaginary part.
+        im: f64,
+    },
+    /// A pole is repeated more often than independent outputs can place it without a Jordan block.
+    #[error("pole {re} + {im} i is repeated {multiplicity} times, at most rank C = {rank} times can be placed")]
+    PoleMultiplicity {
+        /// Real part.
+        re: f64,
+        /// Imaginary part.
+        im: f64,
+        /// Number of times it is in the list.
+        multiplicity: usize,
+        /// Rank of `C`.
+        rank: usize,
+    },
+    /// The poles cannot be placed to useful accuracy: the eigenvectors available are nearly dependent.
+    #[error("poles placed to within {error:e} only, tolerance {tolerance:e}")]
+    PlacementInaccurate {
+        /// Bound on the distance of an eigenvalue of `A - L C` to the nearest pole.
+        error: f64,
+        /// Largest error accepted.
+        tolerance: f64,
+    },
+    /// A matrix factorisation did not converge.
+    #[error("{what} did not converge")]
+    NoConvergence {
+        /// The factorisation.
+        what: &'static str,
+    },
+    /// Placed poles are those of `A - L C` over a whole step; an update alone does not know `A`.
+    #[error("pole placement needs the input of the step: use step, not update alone")]
+    GainNeedsInput,
+    /// A set operation refused its input.
+    #[error(transparent)]
+    Set(#[from] SetError),
+}
+
+/// `Ok` if all entries are finite.
+pub(crate) fn check_finite(what: &'static str, entries: &[f64]) -> Result<(), EstimatorError> {
+    match entries.iter().position(|v| !v.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(EstimatorError::NotFinite { what, index, value: entries[index] }),
+    }
+}
+
+/// `Ok` if the sizes agree.
+pub(crate) fn check_size(what: &'static str, expected: usize, found: usize) -> Result<(), EstimatorError> {
+    if expected == found { Ok(()) } else { Err(EstimatorError::Size { what, expected, found }) }
+}
