@@ -1,0 +1,114 @@
+//! Dense matrix functions in double-double: the definitions themselves, without any structure of the groups.
+
+use nalgebra::{DMatrix, Dim, Matrix, RawStorage};
+
+use super::dd::Dd;
+
+/// A square matrix in double-double.
+#[derive(Clone, Debug)]
+pub struct Dense {
+    pub size: usize,
+    entries: Vec<Dd>,
+}
+
+impl Dense {
+    pub fn from_fn(size: usize, entry: impl Fn(usize, usize) -> Dd) -> Self {
+        Self { size, entries: (0..size * size).map(|k| entry(k / size, k % size)).collect() }
+    }
+
+    /// The given `f64` matrix, exactly.
+    pub fn exact<R: Dim, C: Dim, T: RawStorage<f64, R, C>>(m: &Matrix<f64, R, C, T>) -> Self {
+        Self::from_fn(m.nrows(), |row, col| m[(row, col)].into())
+    }
+
+    pub fn identity(size: usize) -> Self {
+        Self::from_fn(size, |row, col| if row == col { Dd::ONE } else { Dd::ZERO })
+    }
+
+    pub fn get(&self, row: usize, col: usize) -> Dd {
+        self.entries[row * self.size + col]
+    }
+
+    pub fn multiply(&self, other: &Self) -> Self {
+        let n = self.size;
+        Self::from_fn(n, |row, col| (0..n).fold(Dd::ZERO, |sum, k| sum + self.get(row, k) * other.get(k, col)))
+    }
+
+    pub fn map(&self, f: impl Fn(Dd) -> Dd) -> Self {
+        Self { size: self.size, entries: self.entries.iter().map(|&x| f(x)).collect() }
+    }
+
+    /// Largest entry in modulus, rounded.
+    pub fn max_norm(&self) -> f64 {
+        self.entries.iter().fold(0.0, |m, x| x.hi.abs().max(m))
+    }
+
+    /// `phi_k(A) = sum_j A^j / (j + k)!` from the definition; `k = 0` is `expm(A)`.
+    pub fn phi(&self, k: usize) -> Self {
+        let factorial = (1..=k).fold(1.0, |f, i| f * i as f64);
+        let mut term = Self::identity(self.size).map(|x| x / factorial.into());
+        let mut sum = term.clone();
+        for j in 1..200 {
+            let divisor = Dd::from((j + k) as f64);
+            term = term.multiply(self).map(|x| x / divisor);
+            sum = Self::from_fn(self.size, |row, col| sum.get(row, col) + term.get(row, col));
+            if term.max_norm() <= 1e-36 * sum.max_norm() {
+                return sum;
+            }
+        }
+        panic!("series of phi_{k} needs more than 200 terms: norm {}", self.max_norm());
+    }
+
+    /// Inverse by elimination with row pivoting.
+    pub fn inverse(&self) -> Self {
+        let n = self.size;
+        let (mut left, mut right) = (self.clone(), Self::identity(n));
+        for col in 0..n {
+            let pivot = (col..n).max_by(|&a, &b| left.get(a, col).hi.abs().total_cmp(&left.get(b, col).hi.abs()));
+            let pivot = pivot.unwrap();
+            for k in 0..n {
+                left.entries.swap(col * n + k, pivot * n + k);
+                right.entries.swap(col * n + k, pivot * n + k);
+            }
+            let scale = Dd::ONE / left.get(col, col);
+            for k in 0..n {
+                left.entries[col * n + k] = left.get(col, k) * scale;
+                right.entries[col * n + k] = right.get(col, k) * scale;
+            }
+            for row in (0..n).filter(|&row| row != col) {
+                let factor = left.get(row, col);
+                for k in 0..n {
+                    left.entries[row * n + k] = left.get(row, k) - factor * left.get(col, k);
+                    right.entries[row * n + k] = right.get(row, k) - factor * right.get(col, k);
+                }
+            }
+        }
+        right
+    }
+
+    /// Norm-wise relative error of an `f64` matrix: largest difference over largest entry.
+    pub fn error_of<R: Dim, C: Dim, T: RawStorage<f64, R, C>>(&self, computed: &Matrix<f64, R, C, T>) -> f64 {
+        let n = self.size;
+        let worst = (0..n * n).fold(0.0_f64, |m, k| {
+            let difference = Dd::from(computed[(k / n, k % n)]) - self.get(k / n, k % n);
+            if difference.hi.is_nan() { f64::INFINITY } else { m.max(difference.hi.abs()) }
+        });
+        worst / self.max_norm()
+    }
+
+    /// First entry outside an interval matrix.
+    pub fn escapes<R: Dim, C: Dim, T: RawStorage<scalars::Interval, R, C>>(
+        &self,
+        bounds: &Matrix<scalars::Interval, R, C, T>,
+    ) -> Option<(usize, usize)> {
+        let n = self.size;
+        (0..n * n).map(|k| (k / n, k % n)).find(|&at| !self.get(at.0, at.1).in_interval(&bounds[at]))
+    }
+}
+
+/// Rounded copy, for messages.
+impl From<&Dense> for DMatrix<f64> {
+    fn from(m: &Dense) -> Self {
+        DMatrix::from_fn(m.size, m.size, |row, col| m.get(row, col).hi)
+    }
+}
