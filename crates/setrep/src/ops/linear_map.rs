@@ -3,7 +3,7 @@
 use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
 use scalars::rounding::{add_up, gamma_up};
 
-use crate::bounds::{add_abs_row_sums, product_sum_bound, sum_bound};
+use crate::bounds::{add_abs_row_sums, add_lengths, product_sum_bound, sum_bound};
 use crate::{Matrix, Part, SetError, Workspace, Zonotope};
 
 impl Zonotope {
@@ -47,7 +47,7 @@ impl Zonotope {
             return Err(SetError::ZeroDimension { part: Part::Map });
         }
         self.magnitudes(map, workspace);
-        remainder_of_image(map, self.num_generators() + self.dim() + 1, workspace)?;
+        remainder_of_image(map, None, self.num_generators() + self.dim() + 1, workspace)?;
         self.apply(map, workspace);
         Ok(())
     }
@@ -103,9 +103,14 @@ fn spreads(column: &[f64]) -> bool {
     column.iter().filter(|&&x| x != 0.0).count() > 1
 }
 
-/// The remainder of the image, from the magnitudes in the workspace; proves that no entry of the image overflows.
-/// `columns` counts the columns that are mapped, the center included.
-pub(crate) fn remainder_of_image(map: &Matrix, columns: usize, workspace: &mut Workspace) -> Result<(), SetError> {
+/// The remainder of the image under `map +- rad`, from the magnitudes in the workspace; proves that no entry of the image
+/// overflows. `columns` counts the columns that are mapped, the center included.
+pub(crate) fn remainder_of_image(
+    map: &Matrix,
+    rad: Option<&Matrix>,
+    columns: usize,
+    workspace: &mut Workspace,
+) -> Result<(), SetError> {
     let (p, n) = (map.rows(), map.cols());
     workspace.remainder.clear();
     for i in 0..p {
@@ -129,6 +134,10 @@ pub(crate) fn remainder_of_image(map: &Matrix, columns: usize, workspace: &mut W
         } else {
             0.0
         };
+        let remainder = match rad {
+            None => remainder,
+            Some(rad) => add_lengths(remainder, spread_of_row(rad, i, workspace)),
+        };
         // The magnitude bounds every entry and every partial sum on the way to it; NaN fails the comparison.
         let bounded = magnitude + remainder < f64::MAX;
         if !bounded {
@@ -138,6 +147,19 @@ pub(crate) fn remainder_of_image(map: &Matrix, columns: usize, workspace: &mut W
         workspace.remainder.push(remainder);
     }
     Ok(())
+}
+
+/// `sum_k R_ik mag(H_k)`, rounded up: what the members of an interval matrix add to the image under its midpoint.
+fn spread_of_row(rad: &Matrix, i: usize, workspace: &Workspace) -> f64 {
+    let n = rad.cols();
+    let magnitudes = workspace.row_sums.iter().zip(&workspace.center).map(|(&x, &r)| add_lengths(x, r));
+    let (mut sum, mut active) = (0.0, false);
+    for (k, magnitude) in magnitudes.enumerate() {
+        let radius = rad.as_slice()[k * rad.rows() + i];
+        sum += radius * magnitude;
+        active |= radius != 0.0 && magnitude != 0.0;
+    }
+    if active { product_sum_bound(sum, n, n) } else { 0.0 }
 }
 
 /// `product = map * columns` through faer; `columns` holds `cols` columns.

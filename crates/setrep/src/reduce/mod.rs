@@ -5,11 +5,11 @@
 //! rounding only.
 
 mod combastel;
-// mod frame;
+mod frame;
 mod girard;
-// mod jacobi;
-// mod method4;
-// mod pca;
+mod jacobi;
+mod method4;
+mod pca;
 mod selection;
 
 use crate::{SetError, Workspace, Zonotope};
@@ -59,8 +59,8 @@ impl Zonotope {
         match method {
             Reduction::Combastel => combastel::reduce(self, max_generators, workspace),
             Reduction::Girard => girard::reduce(self, max_generators, workspace),
-            Reduction::Pca => combastel::reduce(self, max_generators, workspace),
-            Reduction::Method4 => combastel::reduce(self, max_generators, workspace),
+            Reduction::Pca => pca::reduce(self, max_generators, workspace),
+            Reduction::Method4 => method4::reduce(self, max_generators, workspace),
         }
     }
 }
