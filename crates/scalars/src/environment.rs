@@ -12,10 +12,8 @@ pub fn fp_env_ok() -> bool {
     let one = black_box(1.0_f64);
     let tiny = black_box(f64::EPSILON / 4.0);
     let min_normal = black_box(f64::MIN_POSITIVE);
-    let nearest = one + tiny == 1.0
-        && one - tiny / 2.0 == 1.0
-        && -one - tiny == -1.0
-        && one + 3.0 * tiny == 1.0 + f64::EPSILON;
+    let nearest =
+        one + tiny == 1.0 && one - tiny / 2.0 == 1.0 && -one - tiny == -1.0 && one + 3.0 * tiny == 1.0 + f64::EPSILON;
     let half = black_box(min_normal * 0.5);
     nearest && half > 0.0 && black_box(half + half) == min_normal
 }

@@ -137,11 +137,7 @@ impl Scalar for f64 {
     }
     #[inline]
     fn ratio(p: i64, q: i64) -> Self {
-        if q == 0 {
-            f64::NAN
-        } else {
-            p as f64 / q as f64
-        }
+        if q == 0 { f64::NAN } else { p as f64 / q as f64 }
     }
     #[inline]
     fn decimal(text: &str) -> Self {
@@ -165,7 +161,7 @@ impl Scalar for f64 {
     }
     #[inline]
     fn stumpff(self, k: usize) -> Self {
-        Interval::point(self).stumpff(k).mid()
+        crate::stumpff::stumpff_at(self, k)
     }
     forward! { f64:
         recip() -> Self, sqrt() -> Self, powi(n: i32) -> Self, exp() -> Self, ln() -> Self, sin() -> Self,
