@@ -2,9 +2,8 @@
 
 use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
 use scalars::Interval;
-use scalars::rounding::gamma_up;
 
-use crate::bounds::{add_lengths, product_sum_bound};
+use crate::bounds::{add_lengths, gamma, product_sum_bound};
 use crate::{IntervalVector, Matrix, Part, SetError};
 
 /// A matrix of intervals `M +- R = { A : |A - M| <= R entrywise }`, shapes `M, R: rows x cols`, `R >= 0`.
@@ -123,9 +122,9 @@ impl IntervalMatrix {
     pub fn mul(&self, other: &Self) -> Result<Self, SetError> {
         let (p, n, q) = (self.rows(), self.cols(), other.cols());
         SetError::check_size(Part::Map, n, other.rows())?;
-        let gamma = gamma_up(n);
+        let gamma = gamma(n);
         let right = other.mid.as_slice().iter().zip(other.rad.as_slice());
-        let rounded: Vec<f64> = right.clone().map(|(m, r)| add_lengths(product_sum_bound(gamma * m.abs(), 1, 1), *r)).collect();
+        let rounded: Vec<f64> = right.clone().map(|(m, r)| add_lengths(product_sum_bound(gamma * m.abs(), usize::from(*m != 0.0), 1), *r)).collect();
         let magnitude: Vec<f64> = right.map(|(m, r)| add_lengths(m.abs(), *r)).collect();
         let absolute: Vec<f64> = self.mid.as_slice().iter().map(|m| m.abs()).collect();
 
@@ -135,10 +134,10 @@ impl IntervalMatrix {
         multiply_add(self.rad.as_slice(), &magnitude, n, &mut rad, Accum::Add);
         for i in 0..p {
             for j in 0..q {
-                let radius = &mut rad[(i, j)];
-                // A zero radius with a zero product of magnitudes is exact; otherwise 2n products may have underflowed, and n in MN.
-                let zero = *radius == 0.0 && (0..n).all(|k| vanishes(&absolute, self.rad.as_slice(), &magnitude, (p, i), (n, j), k));
-                *radius = if zero { 0.0 } else { product_sum_bound(*radius, 3 * n, 2 * n + 1) };
+                // Three products a term: |M| gamma |N| and |M| Q, R (|N| + Q), and that of MN itself.
+                let active = |k: &usize| magnitude[j * n + k] != 0.0 && (absolute[k * p + i] != 0.0 || self.rad[(i, *k)] != 0.0);
+                let products = 3 * (0..n).filter(active).count();
+                rad[(i, j)] = product_sum_bound(rad[(i, j)], products, 2 * n + 1);
             }
         }
         Self { mid, rad }.checked()
@@ -163,11 +162,6 @@ impl IntervalMatrix {
             Some(k) => Err(SetError::Overflow { row: k % self.rows().max(1) }),
         }
     }
-}
-
-/// Whether the `k`-th products of row `i` and column `j` are zero because a factor is; `(rows, index)` address the operands.
-fn vanishes(mid: &[f64], rad: &[f64], magnitude: &[f64], (p, i): (usize, usize), (n, j): (usize, usize), k: usize) -> bool {
-    magnitude[j * n + k] == 0.0 || (mid[k * p + i] == 0.0 && rad[k * p + i] == 0.0)
 }
 
 /// `target (+)= a b` through faer, `n` the inner size; all operands column-major.

@@ -1,9 +1,9 @@
 //! Image under a matrix, `R X = { R x : x in X }`.
 
 use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
-use scalars::rounding::{add_up, gamma_up};
+use scalars::rounding::add_up;
 
-use crate::bounds::{add_abs_row_sums, add_lengths, product_sum_bound, sum_bound};
+use crate::bounds::{add_abs_row_sums, add_lengths, gamma, product_sum_bound, sum_bound};
 use crate::{Matrix, Part, SetError, Workspace, Zonotope};
 
 impl Zonotope {
@@ -114,25 +114,26 @@ pub(crate) fn remainder_of_image(
     let (p, n) = (map.rows(), map.cols());
     workspace.remainder.clear();
     for i in 0..p {
-        let (mut magnitude, mut carried, mut nonzeros, mut unit, mut active) = (0.0, 0.0, 0, true, false);
-        for k in 0..n {
-            let a = map.as_slice()[k * p + i].abs();
-            let (x, r) = (workspace.row_sums[k], workspace.center[k]);
+        let (mut magnitude, mut carried, mut unit) = (0.0, 0.0, true);
+        // Entries, and products of two nonzero factors: the others are exactly zero.
+        let (mut nonzeros, mut products, mut carried_products) = (0, 0, 0);
+        let row = map.as_slice()[i..].iter().step_by(p);
+        for ((a, &x), &r) in row.zip(&workspace.row_sums).zip(&workspace.center) {
+            let a = a.abs();
             magnitude += a * x;
             carried += a * r;
+            unit &= (a == 0.0) | (a == 1.0);
             nonzeros += usize::from(a != 0.0);
-            unit &= a == 0.0 || a == 1.0;
-            active |= a != 0.0 && (x != 0.0 || r != 0.0);
+            products += usize::from((a != 0.0) & (x != 0.0));
+            carried_products += usize::from((a != 0.0) & (r != 0.0));
         }
         let remainder = if unit && nonzeros <= 1 {
             // The row selects, negates or drops one coordinate: exact.
             carried
-        } else if active {
-            magnitude = product_sum_bound(magnitude, n, n);
-            let rounding = product_sum_bound(gamma_up(nonzeros) * magnitude, columns * n, 1);
-            add_up(product_sum_bound(carried, n, n), rounding)
         } else {
-            0.0
+            magnitude = product_sum_bound(magnitude, products, n);
+            let rounding = product_sum_bound(gamma(nonzeros) * magnitude, columns * products, 1);
+            add_lengths(product_sum_bound(carried, carried_products, n), rounding)
         };
         let remainder = match rad {
             None => remainder,
@@ -153,13 +154,13 @@ pub(crate) fn remainder_of_image(
 fn spread_of_row(rad: &Matrix, i: usize, workspace: &Workspace) -> f64 {
     let n = rad.cols();
     let magnitudes = workspace.row_sums.iter().zip(&workspace.center).map(|(&x, &r)| add_lengths(x, r));
-    let (mut sum, mut active) = (0.0, false);
+    let (mut sum, mut products) = (0.0, 0);
     for (k, magnitude) in magnitudes.enumerate() {
         let radius = rad.as_slice()[k * rad.rows() + i];
         sum += radius * magnitude;
-        active |= radius != 0.0 && magnitude != 0.0;
+        products += usize::from(radius != 0.0 && magnitude != 0.0);
     }
-    if active { product_sum_bound(sum, n, n) } else { 0.0 }
+    product_sum_bound(sum, products, n)
 }
 
 /// `product = map * columns` through faer; `columns` holds `cols` columns.

@@ -2,9 +2,10 @@
 
 use core::ops::ControlFlow;
 
-use scalars::rounding::{add_up, gamma_up, mul_up};
+use scalars::rounding::{add_up, mul_up};
 use scalars::Interval;
 
+use crate::bounds::gamma;
 use crate::wedge::{Wedge, binomial, normal_from_minors};
 use crate::{Part, SetError, Zonotope};
 
@@ -111,7 +112,7 @@ impl Zonotope {
         }
         let roundings = 2 * (self.dim() + self.num_generators() + 6);
         // What the rounding of this evaluation, of the normal, and the box around the point can change.
-        let rounding = mul_up(gamma_up(roundings), magnitude);
+        let rounding = mul_up(gamma(roundings), magnitude);
         let doubt = add_up(add_up(rounding, mul_up(error, query.total_reach)), mul_up(slack, 1.0 + 1e-9));
         let distance = lever.abs() - radius;
         // Below the safe magnitude underflow is not covered; NaN fails both comparisons.
@@ -193,7 +194,7 @@ fn product_error(subset: &[usize], norms: &[f64]) -> f64 {
     }
     let k = subset.len();
     // Twice the depth absorbs the rounding of the norms and of their product.
-    let relative = if k < 2 { 0.0 } else { gamma_up(k * (k + 1)) };
+    let relative = if k < 2 { 0.0 } else { gamma(k * (k + 1)) };
     if least < SAFE_MAGNITUDE { f64::INFINITY } else { mul_up(relative, product) }
 }
 
