@@ -53,13 +53,11 @@ fn alternating(x: Interval, divisors: &[f64]) -> Interval {
     divisors.iter().rev().fold(unit, |inner, &d| Interval::ONE - x / Interval::point(d) * inner)
 }
 
-/// `(sin h, cos h, sin h / h)` at `h = t / 2 >= 0`.
+/// `(sin h, cos h, sin h / h)` at `h = t / 2 > 0`.
 fn half_angle(t: f64) -> (Interval, Interval, Interval) {
     let h = Interval::point(t).scale(0.5);
     let (sin, cos) = h.sin_cos();
-    let q = if t == 0.0 {
-        Interval::ONE
-    } else if t < f64::EPSILON.sqrt() {
+    let q = if t < f64::EPSILON.sqrt() {
         // 1 - h^2/6 <= sin h / h <= 1 with h^2 < 2^-54.
         Interval::lit(1.0 - 0.5 * f64::EPSILON, 1.0)
     } else {
@@ -73,6 +71,9 @@ type Phi = [Interval; 4];
 
 /// Values at one angle `0 <= t <= NEAR`.
 fn phi_at(t: f64) -> Phi {
+    if t == 0.0 {
+        return [Interval::ONE, Interval::ZERO, Interval::point(0.5), Interval::ZERO];
+    }
     let (sin, cos, q) = half_angle(t);
     let sinc = q * cos;
     let angle = Interval::point(t);
@@ -126,6 +127,9 @@ fn by_symmetry<const K: usize>(t: Interval, positive: impl Fn(Interval) -> [Inte
 
 /// `(t/2) cot(t/2)` and `(1 - (t/2) cot(t/2)) / t` at `0 <= t < 2 pi`.
 fn psi_at(t: f64) -> [Interval; 2] {
+    if t == 0.0 {
+        return [Interval::ONE, Interval::ZERO];
+    }
     let (_, cos, q) = half_angle(t);
     let cot = cos / q;
     let angle = Interval::point(t);
@@ -147,7 +151,8 @@ fn psi_positive(t: Interval) -> [Interval; 2] {
 impl Coeff for Interval {
     fn exp_phi1(theta: Interval) -> (Complex<Interval>, Complex<Interval>) {
         let [sinc, versine, ..] = by_symmetry(theta, phi_positive);
-        (Self::cis(theta), Complex::new(sinc, versine))
+        let unit = if theta == Self::ZERO { Complex::new(Self::ONE, Self::ZERO) } else { Self::cis(theta) };
+        (unit, Complex::new(sinc, versine))
     }
 
     fn phi1_phi2(theta: Interval) -> (Complex<Interval>, Complex<Interval>) {

@@ -9,14 +9,14 @@ use scalars::Interval;
 
 /// `hi + lo` with `|lo| <= ulp(hi) / 2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dd {
-    pub hi: f64,
-    pub lo: f64,
+pub(crate) struct Dd {
+    pub(crate) hi: f64,
+    pub(crate) lo: f64,
 }
 
 impl Dd {
-    pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
-    pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+    pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+    pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
 
     fn quick_two_sum(a: f64, b: f64) -> Self {
         let hi = a + b;
@@ -34,27 +34,27 @@ impl Dd {
         Self { hi, lo: a.mul_add(b, -hi) }
     }
 
-    pub fn abs(self) -> Self {
+    pub(crate) fn abs(self) -> Self {
         if self.hi < 0.0 { -self } else { self }
     }
 
     /// `hi + lo >= x` for an `f64` number `x` (the difference of `hi` and `x` is exact where it matters: when they are close).
-    pub fn at_least(self, x: f64) -> bool {
+    pub(crate) fn at_least(self, x: f64) -> bool {
         (self.hi - x) + self.lo >= 0.0
     }
 
-    pub fn in_interval(self, bounds: &Interval) -> bool {
-        self.at_least(bounds.lo()) && (-self).at_least(-bounds.hi())
+    /// Membership, up to the error of a reference value: 2^-98 of itself.
+    pub(crate) fn in_interval(self, bounds: &Interval) -> bool {
+        let error = Self::from(self.hi.abs() * 2.0_f64.powi(-98));
+        (self + error).at_least(bounds.lo()) && (error - self).at_least(-bounds.hi())
     }
 
-    /// An interval that contains the number: neighbours of `hi`.
-    pub fn enclose(self) -> Interval {
-        if self.lo == 0.0 {
-            return Interval::point(self.hi);
+    /// An interval that contains the number this one approximates: the neighbours of `hi`; zero is taken for exact.
+    pub(crate) fn enclose(self) -> Interval {
+        if self == Self::ZERO {
+            return Interval::ZERO;
         }
-        let lo = if self.lo < 0.0 { self.hi.next_down() } else { self.hi };
-        let hi = if self.lo > 0.0 { self.hi.next_up() } else { self.hi };
-        Interval::new(lo, hi).unwrap()
+        Interval::new(self.hi.next_down(), self.hi.next_up()).unwrap()
     }
 }
 

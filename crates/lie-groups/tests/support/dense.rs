@@ -6,45 +6,45 @@ use super::dd::Dd;
 
 /// A square matrix in double-double.
 #[derive(Clone, Debug)]
-pub struct Dense {
-    pub size: usize,
+pub(crate) struct Dense {
+    pub(crate) size: usize,
     entries: Vec<Dd>,
 }
 
 impl Dense {
-    pub fn from_fn(size: usize, entry: impl Fn(usize, usize) -> Dd) -> Self {
+    pub(crate) fn from_fn(size: usize, entry: impl Fn(usize, usize) -> Dd) -> Self {
         Self { size, entries: (0..size * size).map(|k| entry(k / size, k % size)).collect() }
     }
 
     /// The given `f64` matrix, exactly.
-    pub fn exact<R: Dim, C: Dim, T: RawStorage<f64, R, C>>(m: &Matrix<f64, R, C, T>) -> Self {
+    pub(crate) fn exact<R: Dim, C: Dim, T: RawStorage<f64, R, C>>(m: &Matrix<f64, R, C, T>) -> Self {
         Self::from_fn(m.nrows(), |row, col| m[(row, col)].into())
     }
 
-    pub fn identity(size: usize) -> Self {
+    pub(crate) fn identity(size: usize) -> Self {
         Self::from_fn(size, |row, col| if row == col { Dd::ONE } else { Dd::ZERO })
     }
 
-    pub fn get(&self, row: usize, col: usize) -> Dd {
+    pub(crate) fn get(&self, row: usize, col: usize) -> Dd {
         self.entries[row * self.size + col]
     }
 
-    pub fn multiply(&self, other: &Self) -> Self {
+    pub(crate) fn multiply(&self, other: &Self) -> Self {
         let n = self.size;
         Self::from_fn(n, |row, col| (0..n).fold(Dd::ZERO, |sum, k| sum + self.get(row, k) * other.get(k, col)))
     }
 
-    pub fn map(&self, f: impl Fn(Dd) -> Dd) -> Self {
+    pub(crate) fn map(&self, f: impl Fn(Dd) -> Dd) -> Self {
         Self { size: self.size, entries: self.entries.iter().map(|&x| f(x)).collect() }
     }
 
     /// Largest entry in modulus, rounded.
-    pub fn max_norm(&self) -> f64 {
+    pub(crate) fn max_norm(&self) -> f64 {
         self.entries.iter().fold(0.0, |m, x| x.hi.abs().max(m))
     }
 
     /// `phi_k(A) = sum_j A^j / (j + k)!` from the definition; `k = 0` is `expm(A)`.
-    pub fn phi(&self, k: usize) -> Self {
+    pub(crate) fn phi(&self, k: usize) -> Self {
         let factorial = (1..=k).fold(1.0, |f, i| f * i as f64);
         let mut term = Self::identity(self.size).map(|x| x / factorial.into());
         let mut sum = term.clone();
@@ -59,13 +59,17 @@ impl Dense {
         panic!("series of phi_{k} needs more than 200 terms: norm {}", self.max_norm());
     }
 
-    /// Inverse by elimination with row pivoting.
-    pub fn inverse(&self) -> Self {
+    /// Inverse by elimination; the pivot is the largest entry relative to its row, so that triangular blocks stay exact.
+    pub(crate) fn inverse(&self) -> Self {
         let n = self.size;
         let (mut left, mut right) = (self.clone(), Self::identity(n));
         for col in 0..n {
-            let pivot = (col..n).max_by(|&a, &b| left.get(a, col).hi.abs().total_cmp(&left.get(b, col).hi.abs()));
-            let pivot = pivot.unwrap();
+            let weight = |row: usize| {
+                let largest = (col..n).fold(0.0, |m: f64, k| m.max(left.get(row, k).hi.abs()));
+                if largest == 0.0 { 0.0 } else { left.get(row, col).hi.abs() / largest }
+            };
+            // The first of equal ones.
+            let pivot = (col..n).rev().max_by(|&a, &b| weight(a).total_cmp(&weight(b))).unwrap();
             for k in 0..n {
                 left.entries.swap(col * n + k, pivot * n + k);
                 right.entries.swap(col * n + k, pivot * n + k);
@@ -87,7 +91,7 @@ impl Dense {
     }
 
     /// Norm-wise relative error of an `f64` matrix: largest difference over largest entry.
-    pub fn error_of<R: Dim, C: Dim, T: RawStorage<f64, R, C>>(&self, computed: &Matrix<f64, R, C, T>) -> f64 {
+    pub(crate) fn error_of<R: Dim, C: Dim, T: RawStorage<f64, R, C>>(&self, computed: &Matrix<f64, R, C, T>) -> f64 {
         let n = self.size;
         let worst = (0..n * n).fold(0.0_f64, |m, k| {
             let difference = Dd::from(computed[(k / n, k % n)]) - self.get(k / n, k % n);
@@ -97,7 +101,7 @@ impl Dense {
     }
 
     /// First entry outside an interval matrix.
-    pub fn escapes<R: Dim, C: Dim, T: RawStorage<scalars::Interval, R, C>>(
+    pub(crate) fn escapes<R: Dim, C: Dim, T: RawStorage<scalars::Interval, R, C>>(
         &self,
         bounds: &Matrix<scalars::Interval, R, C, T>,
     ) -> Option<(usize, usize)> {

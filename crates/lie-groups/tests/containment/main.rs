@@ -1,0 +1,10 @@
+//! The interval groups: every exact image of a point of a box lies in the enclosure, and the enclosure is not much wider.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod boxes;
+mod elements;
+mod fixtures;
+mod functions;
+mod size;
