@@ -42,8 +42,8 @@ fn sweep<B: Boxed<N, D>, const N: usize, const D: usize>(name: &str) {
             };
             judge("exp", Dense::exact(&B::Point::hat(&xi)).phi(0).escapes(&exp));
             let ad = Dense::exact(&B::Point::ad(&xi));
-            judge("Ad exp", ad.phi(0).escapes(&adjoint));
-            let (left, right) = (ad.phi(1), ad.map(|x| -x).phi(1));
+            let (left, right) = ad.phi_both_signs(1);
+            judge("Ad exp", ad.exp_from_phi1(&left).escapes(&adjoint));
             judge("Jl", left.escapes(&jl));
             judge("Jr", right.escapes(&jr));
             counts.all += 1;

@@ -28,8 +28,7 @@ fn sweep<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(name: &str) {
         let xi: SVector<f64, N> = random.tangent(3.0);
         let element = G::exp(&xi);
         let ad = Dense::exact(&G::ad(&xi));
-        let jl = ad.phi(1);
-        let jr = ad.map(|x| -x).phi(1);
+        let (jl, jr) = ad.phi_both_signs(1);
         let share = random.uniform(0.0, 1.0);
         let product = G::exp(&(xi * share)).compose(&G::exp(&(xi * (1.0 - share))));
         let errors = [

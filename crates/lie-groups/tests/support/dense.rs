@@ -31,7 +31,10 @@ impl Dense {
 
     pub(crate) fn multiply(&self, other: &Self) -> Self {
         let n = self.size;
-        Self::from_fn(n, |row, col| (0..n).fold(Dd::ZERO, |sum, k| sum + self.get(row, k) * other.get(k, col)))
+        Self::from_fn(n, |row, col| {
+            let terms = (0..n).map(|k| (self.get(row, k), other.get(k, col)));
+            terms.filter(|(a, b)| a.hi != 0.0 && b.hi != 0.0).fold(Dd::ZERO, |sum, (a, b)| sum + a * b)
+        })
     }
 
     pub(crate) fn map(&self, f: impl Fn(Dd) -> Dd) -> Self {
@@ -45,18 +48,33 @@ impl Dense {
 
     /// `phi_k(A) = sum_j A^j / (j + k)!` from the definition; `k = 0` is `expm(A)`.
     pub(crate) fn phi(&self, k: usize) -> Self {
-        let factorial = (1..=k).fold(1.0, |f, i| f * i as f64);
-        let mut term = Self::identity(self.size).map(|x| x / factorial.into());
-        let mut sum = term.clone();
+        self.phi_both_signs(k).0
+    }
+
+    /// `phi_k(A)` and `phi_k(-A)`: sum and difference of the even and the odd terms.
+    pub(crate) fn phi_both_signs(&self, k: usize) -> (Self, Self) {
+        let factorial = (1..=k).fold(Dd::ONE, |f, i| f * (i as f64).into());
+        let mut term = Self::identity(self.size).map(|x| x / factorial);
+        let (mut even, mut odd) = (term.clone(), Self::from_fn(self.size, |_, _| Dd::ZERO));
         for j in 1..200 {
-            let divisor = Dd::from((j + k) as f64);
-            term = term.multiply(self).map(|x| x / divisor);
-            sum = Self::from_fn(self.size, |row, col| sum.get(row, col) + term.get(row, col));
-            if term.max_norm() <= 1e-36 * sum.max_norm() {
-                return sum;
+            let factor = Dd::ONE / ((j + k) as f64).into();
+            term = term.multiply(self).map(|x| x * factor);
+            let sum = if j % 2 == 0 { &mut even } else { &mut odd };
+            for (total, &x) in sum.entries.iter_mut().zip(&term.entries) {
+                *total = *total + x;
+            }
+            if term.max_norm() <= 1e-36 * even.max_norm().max(odd.max_norm()) {
+                let join = |sign: f64| Self::from_fn(self.size, |r, c| even.get(r, c) + odd.get(r, c) * sign.into());
+                return (join(1.0), join(-1.0));
             }
         }
         panic!("series of phi_{k} needs more than 200 terms: norm {}", self.max_norm());
+    }
+
+    /// `expm(A) = I + A phi_1(A)` from `phi_1(A)`.
+    pub(crate) fn exp_from_phi1(&self, phi1: &Self) -> Self {
+        let product = self.multiply(phi1);
+        Self::from_fn(self.size, |r, c| product.get(r, c) + if r == c { Dd::ONE } else { Dd::ZERO })
     }
 
     /// Inverse by elimination; the pivot is the largest entry relative to its row, so that triangular blocks stay exact.
