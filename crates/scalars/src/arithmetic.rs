@@ -132,7 +132,8 @@ impl Interval {
     #[must_use]
     pub fn scale(self, k: f64) -> Self {
         let (p, q) = (k * self.lo, k * self.hi);
-        if p != 0.0 && q != 0.0 && k.is_finite() {
+        // The empty set passes as NaN; a zero may be an underflow.
+        if p != 0.0 && q != 0.0 && k != 0.0 && k.is_finite() {
             return Self::raw(step_down(smaller(p, q)), step_up(larger(p, q)));
         }
         mul_special(self, Self::point(k))

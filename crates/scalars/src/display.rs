@@ -52,34 +52,29 @@ fn decimal_below(x: f64, precision: Option<usize>) -> String {
         let below = x.next_down();
         return if below == f64::NEG_INFINITY { "-inf".to_owned() } else { format!("{below:?}") };
     };
-    // To nearest, and one unit in the last place lower unless the text is at or below x beyond doubt.
-    let nearest = format!("{x:.places$}");
-    let below = nearest.parse::<f64>().is_ok_and(|y| y < x || (y == x && is_exact(nearest.trim_start_matches('-'), x)));
-    if below { nearest } else { one_unit_lower(&nearest) }
+    // All digits of x, cut off: towards zero, and one unit further if x is negative and a digit was lost.
+    let exact = format!("{x:.0$}", fraction_digits(x).max(places));
+    let (kept, lost) = exact.split_at(exact.len() - (fraction_digits(x).max(places) - places));
+    let kept = kept.trim_end_matches('.');
+    if x < 0.0 && lost.contains(|c: char| c != '0') { one_unit_larger(kept) } else { kept.to_owned() }
 }
 
-/// The decimal one unit in the last place below.
-fn one_unit_lower(text: &str) -> String {
-    if let Some(magnitude) = text.strip_prefix('-') {
-        return format!("-{}", carried(magnitude, b'9', b'0', 1));
-    }
-    if text.contains(|c: char| ('1'..='9').contains(&c)) {
-        return carried(text, b'0', b'9', -1);
-    }
-    format!("-{}", carried(text, b'9', b'0', 1))
+/// Digits after the point of the exact decimal of `x = m 2^(e - 52)`, at most `52 - e`.
+fn fraction_digits(x: f64) -> usize {
+    let biased = ((x.to_bits() >> 52) & 0x7FF) as usize;
+    1075_usize.saturating_sub(biased.max(1))
 }
 
-/// Adds `step` to the last digit; digits `from` become `to` and pass the carry on.
-fn carried(text: &str, from: u8, to: u8, step: i8) -> String {
+/// One unit in the last place further from zero.
+fn one_unit_larger(text: &str) -> String {
     let mut digits = text.as_bytes().to_vec();
     for digit in digits.iter_mut().rev().filter(|d| d.is_ascii_digit()) {
-        if *digit == from {
-            *digit = to;
-        } else {
-            *digit = digit.wrapping_add_signed(step);
+        if *digit != b'9' {
+            *digit += 1;
             return String::from_utf8_lossy(&digits).into_owned();
         }
+        *digit = b'0';
     }
     // Only nines: a digit more.
-    format!("1{}", String::from_utf8_lossy(&digits))
+    String::from_utf8_lossy(&digits).replacen('-', "-1", 1)
 }

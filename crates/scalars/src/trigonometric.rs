@@ -34,13 +34,14 @@ impl Interval {
         if self.is_empty() {
             return (self, self);
         }
+        // Rounded up, and the constants are below pi and 2 pi: no turn is missed.
         let width = self.width();
-        if width >= 2.0 * Self::PI.lo {
+        if width > 2.0 * Self::PI.lo {
             return (Self::raw(-1.0, 1.0), Self::raw(-1.0, 1.0));
         }
         let (sin_lo, cos_lo) = pxfm::f_sincos(self.lo);
         let (sin_hi, cos_hi) = if self.lo == self.hi { (sin_lo, cos_lo) } else { pxfm::f_sincos(self.hi) };
-        let over_half_turn = width >= Self::PI.lo;
+        let over_half_turn = width > Self::PI.lo;
         (
             range((sin_lo, sin_hi), (cos_lo, cos_hi), over_half_turn),
             range((cos_lo, cos_hi), (-sin_lo, -sin_hi), over_half_turn),
@@ -54,7 +55,7 @@ impl Interval {
             return self;
         }
         // Over less than a half turn there is a pole inside exactly if the cosine changes sign; it is zero at no bound.
-        if self.width() < Self::PI.lo && (pxfm::f_cos(self.lo) > 0.0) == (pxfm::f_cos(self.hi) > 0.0) {
+        if self.width() <= Self::PI.lo && (pxfm::f_cos(self.lo) > 0.0) == (pxfm::f_cos(self.hi) > 0.0) {
             return self.increasing(pxfm::f_tan);
         }
         Self::ENTIRE

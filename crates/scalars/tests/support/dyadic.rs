@@ -73,7 +73,7 @@ impl Dyadic {
 
 /// The float bound (possibly infinite) is at or below `num / den`.
 pub fn at_most(bound: f64, num: &Dyadic, den: &Dyadic) -> bool {
-    if bound.is_infinite() {
+    if !bound.is_finite() {
         return bound < 0.0;
     }
     let (num, den) = if den.sign() == Ordering::Less { (num.neg(), den.neg()) } else { (num.clone(), den.clone()) };
@@ -85,10 +85,12 @@ pub fn contains_ratio(x: Interval, num: &Dyadic, den: &Dyadic) -> bool {
     at_most(x.lo(), num, den) && at_most(-x.hi(), &num.neg(), den)
 }
 
+/// The float bound (possibly infinite) is at or below the exact number.
+pub fn at_or_below(bound: f64, value: &Dyadic) -> bool {
+    if bound.is_finite() { Dyadic::from_float(bound).compare(value).is_le() } else { bound < 0.0 }
+}
+
 /// The exact number lies in the interval.
 pub fn contains(x: Interval, value: &Dyadic) -> bool {
-    let below = |bound: f64, value: &Dyadic| {
-        if bound.is_infinite() { bound < 0.0 } else { Dyadic::from_float(bound).compare(value) != Ordering::Greater }
-    };
-    below(x.lo(), value) && below(-x.hi(), &value.neg())
+    at_or_below(x.lo(), value) && at_or_below(-x.hi(), &value.neg())
 }

@@ -1,5 +1,5 @@
 //! What the test binaries share: random floats and boxes, exact numbers, a high-precision oracle.
-#![allow(dead_code, reason = "each test binary uses its part")]
+#![allow(dead_code, unreachable_pub, reason = "a module of several test binaries, each of which uses its part")]
 
 pub mod dyadic;
 pub mod oracle;

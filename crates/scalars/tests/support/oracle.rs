@@ -7,7 +7,10 @@ use std::sync::Mutex;
 
 use num_bigint::BigInt;
 
-use super::dyadic::Dyadic;
+use scalars::Interval;
+
+use super::dyadic::{Dyadic, at_or_below};
+use super::excess;
 
 /// Units in the last place that cover the truncations of every function here.
 const MARGIN: u32 = 24;
@@ -30,6 +33,20 @@ fn float_parts(x: f64) -> (BigInt, i64) {
     let fraction = (bits & ((1 << 52) - 1)) as i64;
     let mantissa = if biased == 0 { fraction } else { fraction | 1 << 52 };
     (BigInt::from(if x < 0.0 { -mantissa } else { mantissa }), biased.max(1) - 1075)
+}
+
+impl Enclosure {
+    /// False only if the true value is proven outside the interval.
+    pub fn may_lie_in(&self, x: Interval) -> bool {
+        at_or_below(x.lo(), &self.hi) && at_or_below(-x.hi(), &self.lo.neg())
+    }
+
+    /// Floats between the bounds of an interval and the tightest bounds of the value: the larger of both sides.
+    pub fn excess_of(&self, x: Interval) -> u32 {
+        let lower = excess(x.lo(), f64::next_up, |bound| at_or_below(bound, &self.lo));
+        let upper = excess(x.hi(), f64::next_down, |bound| at_or_below(-bound, &self.hi.neg()));
+        lower.max(upper)
+    }
 }
 
 impl Fixed {

@@ -1,0 +1,4 @@
+//! Published test vectors.
+
+mod itf1788;
+mod itl;
