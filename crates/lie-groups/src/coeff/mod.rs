@@ -32,11 +32,7 @@ pub trait Coeff: Scalar {
     fn exp_phi1(theta: Self) -> (Complex<Self>, Complex<Self>);
 
     /// `e^(i theta)`, valid for every angle.
-    #[inline]
-    fn cis(theta: Self) -> Complex<Self> {
-        let (sin, cos) = theta.sin_cos();
-        Complex::new(cos, sin)
-    }
+    fn cis(theta: Self) -> Complex<Self>;
 
     /// `(phi_1(i theta), phi_2(i theta))`, valid for every angle.
     fn phi1_phi2(theta: Self) -> (Complex<Self>, Complex<Self>);
