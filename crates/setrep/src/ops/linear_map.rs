@@ -61,10 +61,15 @@ impl Zonotope {
         add_abs_row_sums(self.generators.as_slice(), sums);
         carried.clear();
         carried.extend_from_slice(&self.remainder);
+        let is_large = |k: usize, extent: f64, scale: f64| {
+            is_model_size(scale * self.remainder[k], extent, self.center[k].abs()) && spreads(map.col(k))
+        };
+        // Once one component has grown large, its neighbours that it fed are not far behind: they go with it.
+        let any_large = (0..sums.len()).any(|k| is_large(k, sums[k], 1.0));
         for k in 0..sums.len() {
-            let (extent, center) = (sums[k], self.center[k].abs());
-            sums[k] = sum_bound(extent + center, self.num_generators() + 4);
-            if is_model_size(carried[k], extent, center) && spreads(map.col(k)) {
+            let extent = sums[k];
+            sums[k] = sum_bound(extent + self.center[k].abs(), self.num_generators() + 4);
+            if any_large && is_large(k, extent, 1e3) {
                 sums[k] = add_up(sums[k], carried[k]);
                 carried[k] = 0.0;
             }
