@@ -78,15 +78,29 @@ fn main() -> Result<(), SetError> {
         let mut covariation = Matrix::zeros(n, n);
         report("covariation_into", time(|| black_box(&small).covariation_into(black_box(&mut covariation))), floor);
         let direction = vec![1.0; n];
-        report("support", time(|| { let _ = black_box(black_box(&small).support(black_box(&direction))); }), floor);
+        report(
+            "support",
+            time(|| {
+                let _ = black_box(black_box(&small).support(black_box(&direction)));
+            }),
+            floor,
+        );
         let mut hull = small.interval_hull();
-        report("interval_hull_into", time(|| { let _ = black_box(black_box(&small).interval_hull_into(&mut hull)); }), floor);
+        report(
+            "interval_hull_into",
+            time(|| {
+                let _ = black_box(black_box(&small).interval_hull_into(&mut hull));
+            }),
+            floor,
+        );
         for t in [0.3, 0.9, 0.99] {
             // A point at gauge t along the first axis.
             let Ok(gauge) = small.gauge_approx(&shifted(&small, 1.0)) else { continue };
             let point = IntervalVector::point(&shifted(&small, t / gauge));
             let membership = small.membership(&point)?;
-            let calls = time_few(|| { let _ = black_box(small.membership(black_box(&point))); });
+            let calls = time_few(|| {
+                let _ = black_box(small.membership(black_box(&point)));
+            });
             report(&format!("membership at gauge {t}: {membership:?}"), calls, floor);
         }
     }

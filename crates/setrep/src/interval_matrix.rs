@@ -55,7 +55,11 @@ impl IntervalMatrix {
     /// [`SetError::Dimension`], an interval that is empty or unbounded.
     pub fn from_intervals(rows: usize, cols: usize, entries: &[Interval]) -> Result<Self, SetError> {
         if let Some(k) = entries.iter().position(|x| x.is_empty() || !x.is_bounded()) {
-            return Err(SetError::UnboundedInterval { part: Part::Interval, row: k % rows.max(1), col: k / rows.max(1) });
+            return Err(SetError::UnboundedInterval {
+                part: Part::Interval,
+                row: k % rows.max(1),
+                col: k / rows.max(1),
+            });
         }
         let mid: Vec<f64> = entries.iter().map(Interval::mid).collect();
         let rad: Vec<f64> = entries.iter().map(Interval::rad).collect();
@@ -124,7 +128,10 @@ impl IntervalMatrix {
         SetError::check_size(Part::Map, n, other.rows())?;
         let gamma = gamma(n);
         let right = other.mid.as_slice().iter().zip(other.rad.as_slice());
-        let rounded: Vec<f64> = right.clone().map(|(m, r)| add_lengths(product_sum_bound(gamma * m.abs(), usize::from(*m != 0.0), 1), *r)).collect();
+        let rounded: Vec<f64> = right
+            .clone()
+            .map(|(m, r)| add_lengths(product_sum_bound(gamma * m.abs(), usize::from(*m != 0.0), 1), *r))
+            .collect();
         let magnitude: Vec<f64> = right.map(|(m, r)| add_lengths(m.abs(), *r)).collect();
         let absolute: Vec<f64> = self.mid.as_slice().iter().map(|m| m.abs()).collect();
 
@@ -135,7 +142,8 @@ impl IntervalMatrix {
         for i in 0..p {
             for j in 0..q {
                 // Three products a term: |M| gamma |N| and |M| Q, R (|N| + Q), and that of MN itself.
-                let active = |k: &usize| magnitude[j * n + k] != 0.0 && (absolute[k * p + i] != 0.0 || self.rad[(i, *k)] != 0.0);
+                let active =
+                    |k: &usize| magnitude[j * n + k] != 0.0 && (absolute[k * p + i] != 0.0 || self.rad[(i, *k)] != 0.0);
                 let products = 3 * (0..n).filter(active).count();
                 rad[(i, j)] = product_sum_bound(rad[(i, j)], products, 2 * n + 1);
             }

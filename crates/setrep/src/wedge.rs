@@ -54,7 +54,12 @@ impl<S: Scalar> Wedge<S> {
         let _ = self.descend(columns, 0, visit);
     }
 
-    fn descend(&mut self, columns: &[f64], from: usize, visit: &mut impl FnMut(&[usize], &[S]) -> ControlFlow<()>) -> ControlFlow<()> {
+    fn descend(
+        &mut self,
+        columns: &[f64],
+        from: usize,
+        visit: &mut impl FnMut(&[usize], &[S]) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let depth = self.subset.len();
         if depth == self.k {
             return visit(&self.subset, &self.minors[depth]);

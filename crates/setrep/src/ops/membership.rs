@@ -2,8 +2,8 @@
 
 use core::ops::ControlFlow;
 
-use scalars::rounding::{add_up, mul_up};
 use scalars::Interval;
+use scalars::rounding::{add_up, mul_up};
 
 use crate::bounds::gamma;
 use crate::wedge::{Wedge, binomial, normal_from_minors};

@@ -50,14 +50,20 @@ impl Zonotope {
         }
         let (n, columns) = (self.dim(), self.num_generators());
         let relative = gamma(2 * (n + columns + 4));
-        let lost = if magnitude == 0.0 && self.is_zero_along(direction) { 0.0 } else { 2.0 * underflow_bound(n * (columns + 2)) };
+        let lost = if magnitude == 0.0 && self.is_zero_along(direction) {
+            0.0
+        } else {
+            2.0 * underflow_bound(n * (columns + 2))
+        };
         (value, if lost == 0.0 { 0.0 } else { up(mul_up(relative, magnitude) + lost) })
     }
 
     /// Whether every product `d_k x_k` is zero because a factor is.
     fn is_zero_along(&self, direction: &[f64]) -> bool {
         let zero = |k: usize| {
-            self.center[k] == 0.0 && self.remainder[k] == 0.0 && self.generators.columns().all(|column| column[k] == 0.0)
+            self.center[k] == 0.0
+                && self.remainder[k] == 0.0
+                && self.generators.columns().all(|column| column[k] == 0.0)
         };
         direction.iter().enumerate().all(|(k, &d)| d == 0.0 || zero(k))
     }

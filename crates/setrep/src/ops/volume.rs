@@ -31,7 +31,8 @@ impl Zonotope {
     /// ```
     pub fn volume(&self) -> Result<Interval, SetError> {
         let (n, generators) = (self.dim(), self.all_generators());
-        let minors = if n == 2 { planar_minor_sum(&sorted_by_angle(&generators)) } else { minor_sum(n, generators.as_slice())? };
+        let minors =
+            if n == 2 { planar_minor_sum(&sorted_by_angle(&generators)) } else { minor_sum(n, generators.as_slice())? };
         let doubled = (0..n).fold(minors, |volume, _| volume.scale(2.0));
         Ok(doubled.intersection(Interval::new(0.0, f64::INFINITY).unwrap_or(doubled)))
     }

@@ -33,7 +33,8 @@ impl Zonotope {
         let rows: Vec<usize> = (0..self.dim()).filter(|&k| !flat(k)).collect();
         let generators = self.all_generators();
         // A set without extent is its center, which the flat rows just compared.
-        rows.is_empty() || candidate(&generators, query, &rows).is_some_and(|c| is_proven(&generators, query, &rows, &c))
+        rows.is_empty()
+            || candidate(&generators, query, &rows).is_some_and(|c| is_proven(&generators, query, &rows, &c))
     }
 }
 

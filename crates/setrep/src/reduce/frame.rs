@@ -66,5 +66,6 @@ pub(super) fn enclose_selected(set: &mut Zonotope, workspace: &mut Workspace) ->
 /// Whether row `i` of the selected columns and of `F diag(d)` is zero because every factor is.
 fn is_zero_row(set: &Zonotope, selected: &[usize], frame: &[f64], scales: &[f64], i: usize) -> bool {
     let n = scales.len();
-    selected.iter().all(|&j| set.generators.col(j)[i] == 0.0) && (0..n).all(|k| frame[k * n + i] == 0.0 || scales[k] == 0.0)
+    selected.iter().all(|&j| set.generators.col(j)[i] == 0.0)
+        && (0..n).all(|k| frame[k * n + i] == 0.0 || scales[k] == 0.0)
 }

@@ -35,7 +35,11 @@ fn pivot(set: &Zonotope, workspace: &mut Workspace) -> bool {
     row_sums.resize(n, 0.0);
     crate::bounds::add_abs_row_sums(set.generators.as_slice(), row_sums);
     a.clear();
-    a.extend(set.generators.columns().flat_map(|g| g.iter().zip(row_sums.iter()).map(|(g, sum)| if *sum > 0.0 { g / sum } else { 0.0 })));
+    a.extend(
+        set.generators
+            .columns()
+            .flat_map(|g| g.iter().zip(row_sums.iter()).map(|(g, sum)| if *sum > 0.0 { g / sum } else { 0.0 })),
+    );
     // A row without pivot holds this mark.
     selected.clear();
     selected.resize(n, usize::MAX);

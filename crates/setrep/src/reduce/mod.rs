@@ -49,7 +49,12 @@ impl Zonotope {
     /// assert_eq!(set.num_generators(), 2);
     /// # Ok::<(), setrep::SetError>(())
     /// ```
-    pub fn reduce(&mut self, method: Reduction, max_generators: usize, workspace: &mut Workspace) -> Result<(), SetError> {
+    pub fn reduce(
+        &mut self,
+        method: Reduction,
+        max_generators: usize,
+        workspace: &mut Workspace,
+    ) -> Result<(), SetError> {
         if max_generators < self.dim() {
             return Err(SetError::TooFewGenerators { max_generators, dim: self.dim() });
         }

@@ -58,8 +58,12 @@ impl Dyadic {
     fn aligned(&self, other: &Self) -> (BigInt, BigInt, i64) {
         match self.exponent.cmp(&other.exponent) {
             Ordering::Equal => (self.mantissa.clone(), other.mantissa.clone(), self.exponent),
-            Ordering::Greater => (&self.mantissa << (self.exponent - other.exponent), other.mantissa.clone(), other.exponent),
-            Ordering::Less => (self.mantissa.clone(), &other.mantissa << (other.exponent - self.exponent), self.exponent),
+            Ordering::Greater => {
+                (&self.mantissa << (self.exponent - other.exponent), other.mantissa.clone(), other.exponent)
+            }
+            Ordering::Less => {
+                (self.mantissa.clone(), &other.mantissa << (other.exponent - self.exponent), self.exponent)
+            }
         }
     }
 }

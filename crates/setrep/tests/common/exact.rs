@@ -50,7 +50,9 @@ pub fn member(set: &Zonotope, random: &mut Random) -> Member {
 
 /// Whether the witness `xi` proves `x` a member: `|xi| <= 1` and `|x - c - G xi| <= r`, exactly.
 pub fn is_witness(set: &Zonotope, xi: &[f64], x: &[Dyadic]) -> bool {
-    xi.len() == set.num_generators() && xi.iter().all(|t| t.abs() <= 1.0) && excess(set, xi, x).iter().all(|e| e <= &Dyadic::zero())
+    xi.len() == set.num_generators()
+        && xi.iter().all(|t| t.abs() <= 1.0)
+        && excess(set, xi, x).iter().all(|e| e <= &Dyadic::zero())
 }
 
 /// `|x - c - G xi| - r` per row, exactly.
@@ -86,8 +88,10 @@ pub fn determinant(columns: &[Vec<Dyadic>]) -> Dyadic {
         if columns[0][i].is_zero() {
             continue;
         }
-        let minor: Vec<Vec<Dyadic>> =
-            columns[1..].iter().map(|c| c.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, x)| x.clone()).collect()).collect();
+        let minor: Vec<Vec<Dyadic>> = columns[1..]
+            .iter()
+            .map(|c| c.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, x)| x.clone()).collect())
+            .collect();
         let term = &columns[0][i] * &determinant(&minor);
         sum += &if i % 2 == 0 { term } else { -term };
     }
@@ -149,14 +153,17 @@ pub fn lies_in_centered(generators: &[Vec<Dyadic>], remainder: &[Dyadic], x: &[D
         normal.iter().zip(remainder).for_each(|(l, r)| radius += &(&l.clone().abs() * r));
         dot(normal, x).abs() <= radius
     };
-    subsets(columns.len(), n - 1).iter().all(|subset| within(&normal(&subset.iter().map(|&j| columns[j].clone()).collect::<Vec<_>>(), n)))
+    subsets(columns.len(), n - 1)
+        .iter()
+        .all(|subset| within(&normal(&subset.iter().map(|&j| columns[j].clone()).collect::<Vec<_>>(), n)))
 }
 
 /// The vector orthogonal to `n - 1` columns whose components are their signed minors.
 fn normal(columns: &[Vec<Dyadic>], n: usize) -> Vec<Dyadic> {
     (0..n)
         .map(|i| {
-            let rows = columns.iter().map(|c| c.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, x)| x.clone()).collect());
+            let rows =
+                columns.iter().map(|c| c.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, x)| x.clone()).collect());
             let minor = determinant(&rows.collect::<Vec<_>>());
             if i % 2 == 0 { minor } else { -minor }
         })
@@ -168,5 +175,12 @@ fn subsets(m: usize, k: usize) -> Vec<Vec<usize>> {
     if k == 0 {
         return vec![Vec::new()];
     }
-    (k - 1..m).flat_map(|last| subsets(last, k - 1).into_iter().map(move |mut s| { s.push(last); s })).collect()
+    (k - 1..m)
+        .flat_map(|last| {
+            subsets(last, k - 1).into_iter().map(move |mut s| {
+                s.push(last);
+                s
+            })
+        })
+        .collect()
 }

@@ -68,7 +68,13 @@ impl Random {
             0 => self.wide(),
             1 => self.moderate(),
             2 => self.integer(),
-            _ => if self.below(3) == 0 { self.wide() } else { 0.0 },
+            _ => {
+                if self.below(3) == 0 {
+                    self.wide()
+                } else {
+                    0.0
+                }
+            }
         }
     }
 

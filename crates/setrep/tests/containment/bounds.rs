@@ -21,9 +21,17 @@ fn bounds_are_above_the_exact_values_and_tight() {
                 direction[k].abs() * (set.center()[k].abs() + row + set.remainder()[k])
             })
             .sum();
-        assert!((&Dyadic::from(h) - &exact).approx() <= 2e-14 * scale, "seed {SEED}+6 case {case}: loose by more than rounding");
-        let plain: f64 = (0..n).map(|k| direction[k] * set.center()[k] + direction[k].abs() * set.remainder()[k]).sum::<f64>()
-            + set.generators().columns().map(|g| direction.iter().zip(g).map(|(d, g)| d * g).sum::<f64>().abs()).sum::<f64>();
+        assert!(
+            (&Dyadic::from(h) - &exact).approx() <= 2e-14 * scale,
+            "seed {SEED}+6 case {case}: loose by more than rounding"
+        );
+        let plain: f64 =
+            (0..n).map(|k| direction[k] * set.center()[k] + direction[k].abs() * set.remainder()[k]).sum::<f64>()
+                + set
+                    .generators()
+                    .columns()
+                    .map(|g| direction.iter().zip(g).map(|(d, g)| d * g).sum::<f64>().abs())
+                    .sum::<f64>();
         rounded_down += usize::from(Dyadic::from(plain) < exact);
 
         let (hull, x) = (set.interval_hull(), member(&set, &mut random).x);
@@ -36,7 +44,10 @@ fn bounds_are_above_the_exact_values_and_tight() {
             for side in [hull[k], into[k]] {
                 let (lo, hi) = (Dyadic::from(side.lo()), Dyadic::from(side.hi()));
                 assert!(lo <= low && high <= hi && lo <= x[k] && x[k] <= hi, "seed {SEED}+6 case {case}: {set:?}");
-                assert!((&hi - &high).approx() <= 1e-14 * (side.mag() + side.width()), "seed {SEED}+6 case {case}: loose hull");
+                assert!(
+                    (&hi - &high).approx() <= 1e-14 * (side.mag() + side.width()),
+                    "seed {SEED}+6 case {case}: loose hull"
+                );
             }
         }
 

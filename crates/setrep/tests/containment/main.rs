@@ -8,8 +8,8 @@ mod common;
 
 mod affine;
 mod bounds;
-mod linear_map;
 mod interval_map;
+mod linear_map;
 mod membership;
 mod minkowski_sum;
 mod reduction;

@@ -21,12 +21,17 @@ fn split(set: &Zonotope, reduced: &Zonotope, kept: usize, member: &Member) -> Sp
     let mut left: Vec<usize> = (0..set.num_generators()).collect();
     let mut xi = Vec::new();
     for column in reduced.generators().columns().take(kept) {
-        let position = left.iter().position(|&j| set.generators().col(j) == column).expect("a kept column is an original one");
+        let position =
+            left.iter().position(|&j| set.generators().col(j) == column).expect("a kept column is an original one");
         xi.push(member.xi[left.swap_remove(position)]);
     }
     let columns: Vec<&[f64]> = left.iter().map(|&j| set.generators().col(j)).collect();
     let rest: Vec<f64> = left.iter().map(|&j| member.xi[j]).collect();
-    let enclosed = if columns.is_empty() { vec![Dyadic::zero(); n] } else { times(&Matrix::from_columns(&columns).unwrap(), &rest) };
+    let enclosed = if columns.is_empty() {
+        vec![Dyadic::zero(); n]
+    } else {
+        times(&Matrix::from_columns(&columns).unwrap(), &rest)
+    };
     Split { kept: xi, enclosed }
 }
 

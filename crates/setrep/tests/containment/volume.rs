@@ -35,10 +35,19 @@ fn the_interval_contains_the_exact_volume() {
         let volume = set.volume().unwrap();
         let mut whole = set.clone();
         whole.materialize();
-        let columns: Vec<Vec<Dyadic>> = whole.generators().columns().map(|g| g.iter().map(|&x| Dyadic::from(x)).collect()).collect();
+        let columns: Vec<Vec<Dyadic>> =
+            whole.generators().columns().map(|g| g.iter().map(|&x| Dyadic::from(x)).collect()).collect();
         let exact = exact_volume(&columns, n);
-        assert_ne!(Dyadic::from(volume.lo()).cmp(&exact), Ordering::Greater, "seed {SEED}+20 case {case}: {volume:?} of {set:?}");
-        assert_ne!(Dyadic::from(volume.hi()).cmp(&exact), Ordering::Less, "seed {SEED}+20 case {case}: {volume:?} of {set:?}");
+        assert_ne!(
+            Dyadic::from(volume.lo()).cmp(&exact),
+            Ordering::Greater,
+            "seed {SEED}+20 case {case}: {volume:?} of {set:?}"
+        );
+        assert_ne!(
+            Dyadic::from(volume.hi()).cmp(&exact),
+            Ordering::Less,
+            "seed {SEED}+20 case {case}: {volume:?} of {set:?}"
+        );
         tight += usize::from(volume.width() <= 1e-12 * volume.hi());
     }
     assert!(10 * tight > 7 * total, "only {tight} of {total} volumes are known to 12 digits");

@@ -1,0 +1,12 @@
+//! Known values, size of the reductions, bad input, allocations, storage.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod allocations;
+mod bad_input;
+mod known_sets;
+mod membership;
+mod reduction_size;
+#[cfg(feature = "serde")]
+mod storage;
