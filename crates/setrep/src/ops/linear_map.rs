@@ -21,7 +21,7 @@ impl Zonotope {
     /// # use setrep::{Matrix, Zonotope};
     /// let square = Zonotope::from_box(&[0.0, 0.0], &[1.0, 1.0])?;
     /// let diamond = square.linear_map(&Matrix::from_rows(&[&[0.5, -0.5], &[0.5, 0.5]])?)?;
-    /// assert!(diamond.support(&[1.0, 1.0])? < 1.0 + 1e-15);
+    /// assert!(diamond.support(&[1.0, 1.0])? < 1.0 + 1e-14);
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn linear_map(&self, map: &Matrix) -> Result<Self, SetError> {

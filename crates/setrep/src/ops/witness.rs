@@ -98,8 +98,7 @@ fn is_proven(generators: &Matrix, query: &Query, rows: &[usize], candidate: &Can
         contraction = contraction.max(div_up(row_sum, half_width));
     }
     let gap = sub_down(1.0, contraction);
-    // NaN fails the comparison.
-    if !(gap > 0.0) {
+    if gap.is_nan() || gap <= 0.0 {
         return false;
     }
     let step = div_up(residual, gap);

@@ -3,6 +3,9 @@
 //! Each battery also counts how often the same check fails once the rounding terms are stripped from the result, and requires
 //! that it does: a battery that passes without them proves nothing.
 
+// A failed `unwrap` is a failed test, in helpers as in tests.
+#![allow(clippy::unwrap_used)]
+
 #[path = "../common/mod.rs"]
 mod common;
 

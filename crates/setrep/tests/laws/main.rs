@@ -1,5 +1,8 @@
 //! Laws of the set operations, one line a law: supports add, map and scale; hulls are supports along the axes.
 
+// A failed `unwrap` is a failed test, in helpers as in tests.
+#![allow(clippy::unwrap_used)]
+
 #[path = "../common/mod.rs"]
 mod common;
 

@@ -1,5 +1,8 @@
 //! Known values, size of the reductions, bad input, allocations, storage.
 
+// A failed `unwrap` is a failed test, in helpers as in tests.
+#![allow(clippy::unwrap_used)]
+
 #[path = "../common/mod.rs"]
 mod common;
 
