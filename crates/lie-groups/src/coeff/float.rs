@@ -15,7 +15,7 @@
 //! division, no call of the platform's sine, so the results are the same bits on every platform.
 
 use super::Coeff;
-use crate::{Complex, GroupError};
+use crate::{Complex, GroupError, Turn};
 
 /// Number of terms of the two series. At `|h| = pi/2` the first term left out is below `(pi/2)^24 / 26! < 2e-22`.
 const TERMS: usize = 12;
@@ -87,16 +87,25 @@ impl HalfAngle {
     }
 }
 
+/// `z` brought back to the unit circle to first order.
+#[inline]
+fn near_unit(z: Complex<f64>) -> Turn<f64> {
+    let scale = 1.5 - 0.5 * (z.re * z.re + z.im * z.im);
+    Turn::new(Complex::new(z.re * scale, z.im * scale), ())
+}
+
 impl Coeff for f64 {
+    type Arc = ();
+
     #[inline]
-    fn exp_phi1(theta: f64) -> (Complex<f64>, Complex<f64>) {
+    fn exp_phi1(theta: f64) -> (Turn<f64>, Complex<f64>) {
         let half = HalfAngle::of(theta);
         let HalfAngle { sin, cos, .. } = half;
-        (Self::near_unit(Complex::new((cos - sin) * (cos + sin), 2.0 * sin * cos)), half.phi1())
+        (near_unit(Complex::new((cos - sin) * (cos + sin), 2.0 * sin * cos)), half.phi1())
     }
 
     #[inline]
-    fn cis(theta: f64) -> Complex<f64> {
+    fn turn(theta: f64) -> Turn<f64> {
         Self::exp_phi1(theta).0
     }
 
@@ -120,34 +129,37 @@ impl Coeff for f64 {
     }
 
     #[inline]
-    fn log_psi1(unit: Complex<f64>) -> Result<(f64, Complex<f64>), GroupError> {
-        let theta = Self::angle(unit)?;
+    fn log_psi1(turn: &Turn<f64>) -> Result<(f64, Complex<f64>), GroupError> {
+        let theta = Self::angle(turn)?;
+        let Complex { re: cos, im: sin } = turn.unit();
         // cot(t/2) = (1 + cos t) / sin t = sin t / (1 - cos t): take the form whose sum does not cancel.
-        let (num, den) = if unit.re >= 0.0 { (1.0 + unit.re, unit.im) } else { (unit.im, 1.0 - unit.re) };
-        let h = 0.5 * theta;
+        let (num, den) = if cos >= 0.0 { (1.0 + cos, sin) } else { (sin, 1.0 - cos) };
         let cot = if den == 0.0 { 1.0 } else { theta * (0.5 * num) / den };
-        Ok((theta, Complex::new(cot, -h)))
+        Ok((theta, Complex::new(cot, -0.5 * theta)))
     }
 
     #[inline]
-    fn angle(unit: Complex<f64>) -> Result<f64, GroupError> {
-        let theta = unit.im.atan2(unit.re);
-        // Finite cosine and sine give a finite angle; an infinite one would pass as a multiple of pi/4.
-        if !(unit.re.abs() + unit.im.abs()).is_finite() {
-            unit.re.check_finite(0)?;
-            unit.im.check_finite(1)?;
+    fn angle(turn: &Turn<f64>) -> Result<f64, GroupError> {
+        let Complex { re, im } = turn.unit();
+        // The angle of an infinite direction would pass as a multiple of pi/4.
+        if !(re.abs() + im.abs()).is_finite() {
+            return Err(GroupError::NotFinite { index: 0 });
         }
-        Ok(theta)
+        Ok(im.atan2(re))
     }
 
     #[inline]
-    fn near_unit(z: Complex<f64>) -> Complex<f64> {
-        let scale = 1.5 - 0.5 * (z.re * z.re + z.im * z.im);
-        Complex::new(z.re * scale, z.im * scale)
+    fn product(a: &Turn<f64>, b: &Turn<f64>) -> Turn<f64> {
+        near_unit(a.unit() * b.unit())
     }
 
     #[inline]
-    fn unit(z: Complex<f64>) -> Result<Complex<f64>, GroupError> {
+    fn reverse(turn: &Turn<f64>) -> Turn<f64> {
+        Turn::new(turn.unit().conj(), ())
+    }
+
+    #[inline]
+    fn direction(z: Complex<f64>) -> Result<Turn<f64>, GroupError> {
         z.re.check_finite(0)?;
         z.im.check_finite(1)?;
         let largest = z.re.abs().max(z.im.abs());
@@ -157,7 +169,7 @@ impl Coeff for f64 {
         // Scaled first: the norm of subnormal or huge parts would lose digits or overflow.
         let (re, im) = (z.re / largest, z.im / largest);
         let norm = re.hypot(im);
-        Ok(Complex::new(re / norm, im / norm))
+        Ok(Turn::new(Complex::new(re / norm, im / norm), ()))
     }
 
     #[inline]

@@ -7,9 +7,8 @@
 
 use scalars::{Interval, Scalar};
 
-use super::Coeff;
-use super::unit_angle::unit_angle;
-use crate::{Complex, GroupError};
+use super::{Coeff, arc};
+use crate::{Complex, GroupError, Turn};
 
 /// A coefficient function of `theta`, described on `t = |theta|`.
 struct Curve {
@@ -177,16 +176,14 @@ fn psi2_at(t: f64) -> Complex<Interval> {
 }
 
 impl Coeff for Interval {
-    fn exp_phi1(theta: Interval) -> (Complex<Interval>, Complex<Interval>) {
-        (Self::cis(theta), PHI1.range(theta))
+    type Arc = Interval;
+
+    fn exp_phi1(theta: Interval) -> (Turn<Interval>, Complex<Interval>) {
+        (arc::turn(theta), PHI1.range(theta))
     }
 
-    fn cis(theta: Interval) -> Complex<Interval> {
-        if theta == Self::ZERO {
-            return Complex::new(Self::ONE, Self::ZERO);
-        }
-        let (sin, cos) = theta.sin_cos();
-        Complex::new(cos, sin)
+    fn turn(theta: Interval) -> Turn<Interval> {
+        arc::turn(theta)
     }
 
     fn phi1_phi2(theta: Interval) -> (Complex<Interval>, Complex<Interval>) {
@@ -202,24 +199,25 @@ impl Coeff for Interval {
         Ok((PSI1.range(theta), PSI2.range(theta)))
     }
 
-    fn log_psi1(unit: Complex<Interval>) -> Result<(Interval, Complex<Interval>), GroupError> {
-        let theta = unit_angle(unit)?;
+    fn log_psi1(turn: &Turn<Interval>) -> Result<(Interval, Complex<Interval>), GroupError> {
+        let theta = arc::principal(turn.arc())?;
         Ok((theta, PSI1.range(theta)))
     }
 
-    fn angle(unit: Complex<Interval>) -> Result<Interval, GroupError> {
-        unit_angle(unit)
+    fn angle(turn: &Turn<Interval>) -> Result<Interval, GroupError> {
+        arc::principal(turn.arc())
     }
 
-    fn near_unit(z: Complex<Interval>) -> Complex<Interval> {
-        let unit = Interval::lit(-1.0, 1.0);
-        Complex::new(z.re.intersection(unit), z.im.intersection(unit))
+    fn product(a: &Turn<Interval>, b: &Turn<Interval>) -> Turn<Interval> {
+        arc::compose(a.arc(), b.arc())
     }
 
-    fn unit(z: Complex<Interval>) -> Result<Complex<Interval>, GroupError> {
-        z.re.check_finite(0)?;
-        z.im.check_finite(1)?;
-        if (z.re.sqr() + z.im.sqr()).contains(1.0) { Ok(Self::near_unit(z)) } else { Err(GroupError::NotARotation) }
+    fn reverse(turn: &Turn<Interval>) -> Turn<Interval> {
+        Turn::new(turn.unit().conj(), -turn.arc())
+    }
+
+    fn direction(z: Complex<Interval>) -> Result<Turn<Interval>, GroupError> {
+        arc::in_box(z)
     }
 
     fn check_finite(self, index: usize) -> Result<(), GroupError> {

@@ -1,5 +1,7 @@
 //! The interval groups: every exact image of a point of a box lies in the enclosure, and the enclosure is not much wider.
 
+#![allow(clippy::unwrap_used)]
+
 #[path = "../support/mod.rs"]
 mod support;
 

@@ -120,7 +120,7 @@ fn points_are_enclosed_within_rounding() {
 #[test]
 fn boxes_of_rotations_have_the_log_of_their_arc() {
     let mut random = Random::new("arcs");
-    let grid: Vec<f64> = (0..=4000).map(|k| (k as f64 / 2000.0 - 1.0) * std::f64::consts::PI).collect();
+    let grid: Vec<f64> = (0..=4000).map(|k| (f64::from(k) / 2000.0 - 1.0) * std::f64::consts::PI).collect();
     let step = std::f64::consts::PI / 2000.0;
     let (mut checked, mut refused) = (0, 0);
     for _ in 0..cases(5_000) {

@@ -3,6 +3,8 @@
 //! Over `f64` both sides of a law must agree to a relative 1e-13; over intervals they enclose the same exact number, so they must meet,
 //! and the hull of both must be as narrow.
 
+#![allow(clippy::unwrap_used)]
+
 #[path = "../support/mod.rs"]
 mod support;
 
