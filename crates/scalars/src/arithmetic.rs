@@ -8,7 +8,7 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 use num_traits::{One, Zero};
 
 use crate::Interval;
-use crate::rounding::{ETA, PHI, larger, smaller, step_down, step_down_nonzero, step_up, step_up_nonzero};
+use crate::rounding::{ETA, PHI, larger, outward, smaller, step_down, step_down_nonzero, step_up, step_up_nonzero};
 
 impl Neg for Interval {
     type Output = Self;
@@ -46,13 +46,17 @@ impl Mul for Interval {
         let (p, q, r, s) = (a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi);
         let lo = smaller(smaller(p, q), smaller(r, s));
         let hi = larger(larger(p, q), larger(r, s));
-        // NaN (an empty operand, or 0 inf) shows in the sum; a zero bound may be exact or an underflow.
         let sum = (p + q) + (r + s);
-        if lo != 0.0 && hi != 0.0 && !sum.is_nan() { Self::raw(step_down(lo), step_up(hi)) } else { mul_special(a, b) }
+        // True if all products are finite (else 0 sum is NaN) and both bounds are nonzero, short of an underflow.
+        if (lo * hi + 0.0 * sum).abs() > 0.0 {
+            Self::raw(lo - outward(lo), hi + outward(hi))
+        } else {
+            mul_special(a, b)
+        }
     }
 }
 
-/// Products with a zero bound, an empty or an unbounded operand.
+/// Products with a zero bound, overflow, underflow, an empty or an unbounded operand.
 #[inline(never)]
 fn mul_special(a: Interval, b: Interval) -> Interval {
     if a.is_empty() || b.is_empty() {
@@ -151,15 +155,19 @@ impl Interval {
     #[must_use]
     pub fn sqr(self) -> Self {
         let (small, large) = (self.mig(), self.mag());
-        let (lo, hi) = (small * small, large * large);
         // A lower bound that underflows is zero; the upper one is zero for { 0 } only.
-        Self::raw(step_down_nonzero(lo), hi + (hi * PHI + smaller(ETA, large)))
+        let hi = large * large;
+        Self::raw(step_down_nonzero(small * small), hi + (hi * PHI + smaller(ETA, large)))
     }
 
     /// `{ 1 / x : x != 0 }`.
     #[inline]
     #[must_use]
     pub fn recip(self) -> Self {
+        if self.lo > 0.0 || self.hi < 0.0 {
+            // 1 / x underflows for infinite x only, where zero is exact.
+            return Self::raw(step_down_nonzero(1.0 / self.hi), step_up_nonzero(1.0 / self.lo));
+        }
         Self::ONE / self
     }
 

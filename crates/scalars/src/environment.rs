@@ -5,7 +5,7 @@ use std::hint::black_box;
 /// True if the thread rounds to nearest and keeps subnormal numbers (no flush-to-zero, no denormals-are-zero).
 ///
 /// All bounds of this crate assume it. Foreign libraries may leave a process in another mode; call this at entry of
-/// a computation whose bounds matter. It costs a few nanoseconds.
+/// a computation whose bounds matter. It costs some tens of nanoseconds.
 #[inline]
 #[must_use]
 pub fn fp_env_ok() -> bool {

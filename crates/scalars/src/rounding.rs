@@ -28,18 +28,24 @@ pub(crate) fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
+/// Length of the step outward from a finite result.
+#[inline(always)]
+pub(crate) fn outward(c: f64) -> f64 {
+    c.abs() * PHI + ETA
+}
+
 /// Lower bound from a result rounded to nearest; zero is stepped too, NaN stays NaN.
 #[inline(always)]
 pub(crate) fn step_down(c: f64) -> f64 {
     let c = smaller(f64::MAX, c);
-    c - (c.abs() * PHI + ETA)
+    c - outward(c)
 }
 
 /// Upper bound from a result rounded to nearest; zero is stepped too, NaN stays NaN.
 #[inline(always)]
 pub(crate) fn step_up(c: f64) -> f64 {
     let c = larger(f64::MIN, c);
-    c + (c.abs() * PHI + ETA)
+    c + outward(c)
 }
 
 /// As [`step_down`] for results whose zeros are exact: zero stays zero.

@@ -82,7 +82,8 @@ pub trait Scalar:
     fn min(self, other: Self) -> Self;
     /// The larger of two.
     fn max(self, other: Self) -> Self;
-    /// Stumpff function `C_k(s)`, `k = 0..=5`, see [`crate::stumpff`].
+    /// Stumpff function `C_k(s) = sum_j (-s)^j / (2j + k)!` of `s = theta^2`, `k <= 20`, smooth across zero; beyond, the whole
+    /// line (NaN over `f64`). See [`Interval::stumpff`].
     fn stumpff(self, k: usize) -> Self;
 }
 

@@ -50,33 +50,32 @@ impl Interval {
         if self.is_empty() {
             return self;
         }
-        Self::raw(stumpff_at::<Self>(self.hi, k).lo, stumpff_at::<Self>(self.lo, k).hi)
+        let at_lo = stumpff_at::<Self>(self.lo, k);
+        let at_hi = if self.lo == self.hi { at_lo } else { stumpff_at(self.hi, k) };
+        Self::raw(at_hi.lo, at_lo.hi)
     }
 }
 
-/// `C_k(s)` at a floating-point number, `k >= 1` if `s` is infinite.
+/// `C_k(s)` at a floating-point number, `k >= 1` if `s` is infinite. The series for `k <= 20` stay within the table.
 pub(crate) fn stumpff_at<S: Scalar>(s: f64, k: usize) -> S {
+    if k > 20 {
+        return inverse_factorial(usize::MAX);
+    }
     if s.is_infinite() {
         return if s > 0.0 { S::zero() } else { S::from_f64(f64::INFINITY) };
     }
-    let series_limit = if k < 3 { 1.0 } else { 16.0 };
-    if s.abs() <= series_limit {
+    // For larger s, terms of the series cancel.
+    if s.abs() <= if k < 3 { 4.0 } else { 16.0 } {
         return series(s, k);
     }
-    let theta = S::from_f64(s.abs()).sqrt();
     match k {
-        0 => {
-            if s > 0.0 {
-                theta.cos()
-            } else {
-                theta.cosh()
-            }
-        }
-        1 => {
-            if s > 0.0 {
-                theta.sin() / theta
-            } else {
-                theta.sinh() / theta
+        0 | 1 => {
+            let theta = S::from_f64(s.abs()).sqrt();
+            match (k, s > 0.0) {
+                (0, true) => theta.cos(),
+                (0, false) => theta.cosh(),
+                (_, true) => theta.sin() / theta,
+                (_, false) => theta.sinh() / theta,
             }
         }
         2 => stumpff_at::<S>(0.25 * s, 1).sqr().scale(0.5),
@@ -84,19 +83,42 @@ pub(crate) fn stumpff_at<S: Scalar>(s: f64, k: usize) -> S {
     }
 }
 
-/// Taylor series in nested form, `C_k = 1/k! (1 - s/((k+1)(k+2)) (1 - s/((k+3)(k+4)) (..)))`, for `|s| <= 16`.
+/// Taylor series by Horner's rule, for `|s| <= 16`.
 fn series<S: Scalar>(s: f64, k: usize) -> S {
-    let terms = if s.abs() <= 1.0 { 9 } else { 18 };
-    // The ratio of successive terms left out is below 1/2, so the innermost factor lies in [-2, 2].
-    let sum = (0..terms).rev().fold(S::lit(-2.0, 2.0), |sum, j| {
-        let n = (k + 2 * j) as f64;
-        S::one() - sum.scale(s) / S::from_f64((n + 1.0) * (n + 2.0))
-    });
-    sum * inverse_factorial(k)
+    let terms = match s.abs() {
+        r if r <= 0.01 => 6,
+        r if r <= 4.0 => 13,
+        _ => 16,
+    };
+    // From the first term left out on, each is less than half of the one before: their sum is less than twice the first.
+    let tail = S::lit(-2.0, 2.0) * inverse_factorial(2 * terms + k);
+    (0..terms).rev().fold(tail, |sum, j| inverse_factorial::<S>(2 * j + k) - sum.scale(s))
 }
 
-/// `1 / k!`; the whole line where `k!` does not fit (`k > 20`).
-fn inverse_factorial<S: Scalar>(k: usize) -> S {
-    let factorial = (1..=k as i64).try_fold(1_i64, i64::checked_mul);
-    S::ratio(1, factorial.unwrap_or(0))
+/// `1 / n!`; the whole line beyond the table.
+fn inverse_factorial<S: Scalar>(n: usize) -> S {
+    let (lo, hi) = INVERSE_FACTORIALS.get(n).copied().unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+    S::lit(lo, hi)
+}
+
+/// Lower and upper bounds of `1 / n!`.
+const INVERSE_FACTORIALS: [(f64, f64); 53] = inverse_factorials();
+
+const fn inverse_factorials() -> [(f64, f64); 53] {
+    // 1/0!, 1/1!, 1/2! are exact; each further quotient is stepped outward.
+    let mut table = [(1.0, 1.0); 53];
+    table[2] = (0.5, 0.5);
+    let (mut n, mut factorial) = (3, 2.0);
+    while n < table.len() {
+        factorial *= n as f64;
+        table[n] = if n <= 22 {
+            // n! is exact.
+            ((1.0 / factorial).next_down(), (1.0 / factorial).next_up())
+        } else {
+            let (lo, hi) = table[n - 1];
+            ((lo / n as f64).next_down(), (hi / n as f64).next_up())
+        };
+        n += 1;
+    }
+    table
 }

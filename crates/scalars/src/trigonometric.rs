@@ -55,10 +55,9 @@ impl Interval {
             return self;
         }
         // Over less than a half turn there is a pole inside exactly if the cosine changes sign; it is zero at no bound.
-        if self.width() <= Self::PI.lo && (pxfm::f_cos(self.lo) > 0.0) == (pxfm::f_cos(self.hi) > 0.0) {
-            return self.increasing(pxfm::f_tan);
-        }
-        Self::ENTIRE
+        let positive = |x: f64| pxfm::f_cos(x) > 0.0;
+        let no_pole = self.lo == self.hi || (self.width() <= Self::PI.lo && positive(self.lo) == positive(self.hi));
+        if no_pole { self.increasing(pxfm::f_tan) } else { Self::ENTIRE }
     }
 
     /// `{ asin(x) : |x| <= 1 }` in `[-pi/2, pi/2]`; empty if no member is in `[-1, 1]`.

@@ -1,4 +1,5 @@
 //! No exact result outside a computed interval.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "../support/mod.rs"]
 mod support;

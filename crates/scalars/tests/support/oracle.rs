@@ -169,12 +169,12 @@ impl Fixed {
         }
         let r: BigInt = (x - &k * half_pi) >> 1100;
         let (s, c) = (self.factorial_series(&r, 1, -1), self.factorial_series(&r, 0, -1));
-        let quadrant: BigInt = ((k % 4) + 4) % 4;
-        match quadrant.to_string().as_str() {
-            "0" => (s, c),
-            "1" => (c, -s),
-            "2" => (-s, -c),
-            _ => (-c, s),
+        // Two bits of k, also for negative k, count the quarter turns.
+        match (k.bit(1), k.bit(0)) {
+            (false, false) => (s, c),
+            (false, true) => (c, -s),
+            (true, false) => (-s, -c),
+            (true, true) => (-c, s),
         }
     }
 

@@ -94,7 +94,7 @@ impl Random {
             1 => hi,
             _ => {
                 let (first, last) = (ordinal(lo), ordinal(hi));
-                let span = (last as i128 - first as i128 + 1) as u128;
+                let span = u128::from(last.abs_diff(first)) + 1;
                 let offset = (u128::from(self.bits()) * span) >> 64;
                 from_ordinal((i128::from(first) + offset as i128) as i64)
             }
