@@ -7,18 +7,18 @@ use num_bigint::{BigInt, Sign};
 
 /// The number `mantissa * 2^exponent`.
 #[derive(Debug, Clone)]
-pub struct Dyadic {
+pub(crate) struct Dyadic {
     mantissa: BigInt,
     exponent: i64,
 }
 
 impl Dyadic {
-    pub fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self { mantissa: BigInt::ZERO, exponent: 0 }
     }
 
     /// The exact value of a finite number.
-    pub fn from(x: f64) -> Self {
+    pub(crate) fn from(x: f64) -> Self {
         assert!(x.is_finite(), "{x} is no dyadic number");
         let bits = x.to_bits();
         let (biased, fraction) = ((bits >> 52 & 0x7ff) as i64, bits & ((1 << 52) - 1));
@@ -27,20 +27,20 @@ impl Dyadic {
         Self { mantissa: BigInt::from(if x < 0.0 { -magnitude } else { magnitude }), exponent }
     }
 
-    pub fn abs(self) -> Self {
+    pub(crate) fn abs(self) -> Self {
         if self.mantissa.sign() == Sign::Minus { -self } else { self }
     }
 
-    pub fn is_zero(&self) -> bool {
+    pub(crate) fn is_zero(&self) -> bool {
         self.mantissa.sign() == Sign::NoSign
     }
 
-    pub fn sign(&self) -> Ordering {
+    pub(crate) fn sign(&self) -> Ordering {
         self.mantissa.sign().cmp(&Sign::NoSign)
     }
 
     /// The quotient rounded to 60 bits or so, as a float; zero for a zero divisor.
-    pub fn ratio(&self, divisor: &Self) -> f64 {
+    pub(crate) fn ratio(&self, divisor: &Self) -> f64 {
         if divisor.is_zero() || self.is_zero() {
             return 0.0;
         }
@@ -50,7 +50,7 @@ impl Dyadic {
     }
 
     /// An approximation.
-    pub fn approx(&self) -> f64 {
+    pub(crate) fn approx(&self) -> f64 {
         self.ratio(&Self::from(1.0))
     }
 

@@ -7,14 +7,14 @@ use super::random::Random;
 
 /// A member of a set with its coordinates: `x = c + G xi + diag(r) eta`.
 #[derive(Debug, Clone)]
-pub struct Member {
-    pub xi: Vec<f64>,
-    pub eta: Vec<f64>,
-    pub x: Vec<Dyadic>,
+pub(crate) struct Member {
+    pub(crate) xi: Vec<f64>,
+    pub(crate) eta: Vec<f64>,
+    pub(crate) x: Vec<Dyadic>,
 }
 
 /// `G xi`, exactly.
-pub fn times(generators: &Matrix, xi: &[f64]) -> Vec<Dyadic> {
+pub(crate) fn times(generators: &Matrix, xi: &[f64]) -> Vec<Dyadic> {
     let mut sum = vec![Dyadic::zero(); generators.rows()];
     for (column, &t) in generators.columns().zip(xi) {
         let t = Dyadic::from(t);
@@ -26,19 +26,19 @@ pub fn times(generators: &Matrix, xi: &[f64]) -> Vec<Dyadic> {
 }
 
 /// `R x`, exactly.
-pub fn image(map: &Matrix, x: &[Dyadic]) -> Vec<Dyadic> {
+pub(crate) fn image(map: &Matrix, x: &[Dyadic]) -> Vec<Dyadic> {
     (0..map.rows())
         .map(|i| x.iter().enumerate().fold(Dyadic::zero(), |sum, (k, x)| &sum + &(&Dyadic::from(map[(i, k)]) * x)))
         .collect()
 }
 
 /// `x + y`, exactly.
-pub fn sum(x: &[Dyadic], y: &[Dyadic]) -> Vec<Dyadic> {
+pub(crate) fn sum(x: &[Dyadic], y: &[Dyadic]) -> Vec<Dyadic> {
     x.iter().zip(y).map(|(x, y)| x + y).collect()
 }
 
 /// A random member of a set.
-pub fn member(set: &Zonotope, random: &mut Random) -> Member {
+pub(crate) fn member(set: &Zonotope, random: &mut Random) -> Member {
     let (xi, eta) = (random.cube(set.num_generators()), random.cube(set.dim()));
     let mut x = times(set.generators(), &xi);
     for (k, x) in x.iter_mut().enumerate() {
@@ -49,14 +49,14 @@ pub fn member(set: &Zonotope, random: &mut Random) -> Member {
 }
 
 /// Whether the witness `xi` proves `x` a member: `|xi| <= 1` and `|x - c - G xi| <= r`, exactly.
-pub fn is_witness(set: &Zonotope, xi: &[f64], x: &[Dyadic]) -> bool {
+pub(crate) fn is_witness(set: &Zonotope, xi: &[f64], x: &[Dyadic]) -> bool {
     xi.len() == set.num_generators()
         && xi.iter().all(|t| t.abs() <= 1.0)
         && excess(set, xi, x).iter().all(|e| e <= &Dyadic::zero())
 }
 
 /// `|x - c - G xi| - r` per row, exactly.
-pub fn excess(set: &Zonotope, xi: &[f64], x: &[Dyadic]) -> Vec<Dyadic> {
+pub(crate) fn excess(set: &Zonotope, xi: &[f64], x: &[Dyadic]) -> Vec<Dyadic> {
     let inner = times(set.generators(), xi);
     (0..set.dim())
         .map(|k| {
@@ -68,7 +68,7 @@ pub fn excess(set: &Zonotope, xi: &[f64], x: &[Dyadic]) -> Vec<Dyadic> {
 
 /// Whether the image under a map of the member of `set` lies in `mapped`: its coordinates are those of the member, followed by those
 /// of the components of the remainder that became generators. Any choice of these that works is a proof.
-pub fn is_mapped_witness(set: &Zonotope, mapped: &Zonotope, member: &Member, x: &[Dyadic]) -> bool {
+pub(crate) fn is_mapped_witness(set: &Zonotope, mapped: &Zonotope, member: &Member, x: &[Dyadic]) -> bool {
     let extra = mapped.num_generators() - set.num_generators();
     (0_u32..1 << set.dim()).filter(|rows| rows.count_ones() as usize == extra).any(|rows| {
         let mut xi = member.xi.clone();
@@ -78,7 +78,7 @@ pub fn is_mapped_witness(set: &Zonotope, mapped: &Zonotope, member: &Member, x: 
 }
 
 /// The determinant, by Laplace expansion along the first column.
-pub fn determinant(columns: &[Vec<Dyadic>]) -> Dyadic {
+pub(crate) fn determinant(columns: &[Vec<Dyadic>]) -> Dyadic {
     let n = columns.len();
     if n == 0 {
         return Dyadic::from(1.0);
@@ -99,7 +99,7 @@ pub fn determinant(columns: &[Vec<Dyadic>]) -> Dyadic {
 }
 
 /// The solution of `T z = b` by Cramer's rule, rounded and clamped to the unit cube; `None` if `T` is singular.
-pub fn solve(columns: &[Vec<Dyadic>], b: &[Dyadic]) -> Option<Vec<f64>> {
+pub(crate) fn solve(columns: &[Vec<Dyadic>], b: &[Dyadic]) -> Option<Vec<f64>> {
     let whole = determinant(columns);
     if whole.is_zero() {
         return None;
@@ -113,7 +113,7 @@ pub fn solve(columns: &[Vec<Dyadic>], b: &[Dyadic]) -> Option<Vec<f64>> {
 }
 
 /// Exact support function `d'c + sum_j |d'g_j| + |d|'r`.
-pub fn support(set: &Zonotope, direction: &[f64]) -> Dyadic {
+pub(crate) fn support(set: &Zonotope, direction: &[f64]) -> Dyadic {
     let d: Vec<Dyadic> = direction.iter().map(|&d| Dyadic::from(d)).collect();
     let dot = |x: &[f64]| d.iter().zip(x).fold(Dyadic::zero(), |sum, (d, &x)| &sum + &(d * &Dyadic::from(x)));
     let mut h = dot(set.center());
@@ -127,7 +127,7 @@ pub fn support(set: &Zonotope, direction: &[f64]) -> Dyadic {
 }
 
 /// The exact values of floats.
-pub fn exact(x: &[f64]) -> Vec<Dyadic> {
+pub(crate) fn exact(x: &[f64]) -> Vec<Dyadic> {
     x.iter().map(|&x| Dyadic::from(x)).collect()
 }
 
@@ -135,7 +135,7 @@ pub fn exact(x: &[f64]) -> Vec<Dyadic> {
 ///
 /// For `G` alone these are the facets of a set of full dimension; those of `[G eI]` for every small `e > 0` are among the normals
 /// of `[G I]`, and the set is the intersection of these larger ones.
-pub fn lies_in(set: &Zonotope, x: &[Dyadic]) -> bool {
+pub(crate) fn lies_in(set: &Zonotope, x: &[Dyadic]) -> bool {
     let remainder = exact(set.remainder());
     let generators: Vec<Vec<Dyadic>> = set.generators().columns().map(exact).collect();
     let offset: Vec<Dyadic> = x.iter().zip(set.center()).map(|(x, &c)| x - &Dyadic::from(c)).collect();
@@ -143,7 +143,7 @@ pub fn lies_in(set: &Zonotope, x: &[Dyadic]) -> bool {
 }
 
 /// Whether `x` lies in `{ G xi + e : |xi| <= 1, |e| <= r }`.
-pub fn lies_in_centered(generators: &[Vec<Dyadic>], remainder: &[Dyadic], x: &[Dyadic]) -> bool {
+pub(crate) fn lies_in_centered(generators: &[Vec<Dyadic>], remainder: &[Dyadic], x: &[Dyadic]) -> bool {
     let n = x.len();
     let mut columns = generators.to_vec();
     columns.extend((0..n).map(|k| exact(Matrix::identity(n).col(k))));

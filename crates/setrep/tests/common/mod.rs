@@ -1,6 +1,7 @@
 //! Shared by the test binaries: exact dyadic arithmetic, exact points of sets, reproducible random sets.
+// Each binary uses its own part.
 #![allow(dead_code)]
 
-pub mod dyadic;
-pub mod exact;
-pub mod random;
+pub(crate) mod dyadic;
+pub(crate) mod exact;
+pub(crate) mod random;

@@ -4,15 +4,15 @@ use setrep::{Matrix, Zonotope};
 
 /// SplitMix64: small, fixed, good enough to draw test cases.
 #[derive(Debug, Clone)]
-pub struct Random(u64);
+pub(crate) struct Random(u64);
 
 impl Random {
     /// The battery's generator for one case; a failure message that names `(seed, case)` reproduces it.
-    pub fn new(seed: u64, case: usize) -> Self {
+    pub(crate) fn new(seed: u64, case: usize) -> Self {
         Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (case as u64).wrapping_mul(0xd1b5_4a32_d192_ed03))
     }
 
-    pub fn bits(&mut self) -> u64 {
+    pub(crate) fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -21,17 +21,17 @@ impl Random {
     }
 
     /// Uniform in `0..n`.
-    pub fn below(&mut self, n: usize) -> usize {
+    pub(crate) fn below(&mut self, n: usize) -> usize {
         (self.bits() % n as u64) as usize
     }
 
     /// Uniform in `low..=high`.
-    pub fn between(&mut self, low: usize, high: usize) -> usize {
+    pub(crate) fn between(&mut self, low: usize, high: usize) -> usize {
         low + self.below(high - low + 1)
     }
 
     /// Uniform in `[-1, 1]`, the bounds included now and then.
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         match self.below(8) {
             0 => 1.0,
             1 => -1.0,
@@ -40,30 +40,30 @@ impl Random {
     }
 
     /// A vertex of the unit cube in every second draw, a point of it otherwise.
-    pub fn cube(&mut self, n: usize) -> Vec<f64> {
+    pub(crate) fn cube(&mut self, n: usize) -> Vec<f64> {
         let vertex = self.below(2) == 0;
         (0..n).map(|_| if vertex { if self.below(2) == 0 { 1.0 } else { -1.0 } } else { self.unit() }).collect()
     }
 
     /// Magnitude log-uniform in `1e-8..1e8`, either sign.
-    pub fn wide(&mut self) -> f64 {
+    pub(crate) fn wide(&mut self) -> f64 {
         let exponent = 16.0 * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64 - 8.0;
         let sign = if self.below(2) == 0 { 1.0 } else { -1.0 };
         sign * 10f64.powf(exponent) * (1.0 + (self.bits() >> 12) as f64 / (1_u64 << 52) as f64 * 1e-3)
     }
 
     /// Near 1, either sign.
-    pub fn moderate(&mut self) -> f64 {
+    pub(crate) fn moderate(&mut self) -> f64 {
         2.0 * ((self.bits() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0)
     }
 
     /// A small integer.
-    pub fn integer(&mut self) -> f64 {
+    pub(crate) fn integer(&mut self) -> f64 {
         self.below(9) as f64 - 4.0
     }
 
     /// One entry in the style of a set: 0 wide, 1 moderate, 2 integer, 3 wide with many zeros.
-    pub fn entry(&mut self, style: usize) -> f64 {
+    pub(crate) fn entry(&mut self, style: usize) -> f64 {
         match style {
             0 => self.wide(),
             1 => self.moderate(),
@@ -79,14 +79,14 @@ impl Random {
     }
 
     /// A matrix, of one style throughout.
-    pub fn matrix(&mut self, rows: usize, cols: usize) -> Matrix {
+    pub(crate) fn matrix(&mut self, rows: usize, cols: usize) -> Matrix {
         let style = self.below(4);
         let data: Vec<f64> = (0..rows * cols).map(|_| self.entry(style)).collect();
         Matrix::from_column_slice(rows, cols, &data).unwrap()
     }
 
     /// Generators: some sets have duplicate or opposite columns, some are flat (a zero row, or all columns in a plane of integers).
-    pub fn generators(&mut self, n: usize, m: usize) -> Matrix {
+    pub(crate) fn generators(&mut self, n: usize, m: usize) -> Matrix {
         let mut generators = self.matrix(n, m);
         match self.below(8) {
             0 if m > 1 => {
@@ -108,7 +108,7 @@ impl Random {
     }
 
     /// A set with `m` generators; the remainder is zero, of rounding size, or of model size.
-    pub fn set(&mut self, n: usize, m: usize) -> Zonotope {
+    pub(crate) fn set(&mut self, n: usize, m: usize) -> Zonotope {
         let generators = self.generators(n, m);
         let style = self.below(4);
         let center: Vec<f64> = (0..n).map(|_| self.entry(style)).collect();
@@ -123,7 +123,7 @@ impl Random {
 }
 
 /// Number of cases: the battery's own figure times the environment variable `ORBITOPE_CASES`.
-pub fn cases(default: usize) -> usize {
+pub(crate) fn cases(default: usize) -> usize {
     let factor: usize = std::env::var("ORBITOPE_CASES").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
     default * factor.max(1)
 }

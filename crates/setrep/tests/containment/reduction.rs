@@ -5,8 +5,6 @@ use crate::common::dyadic::Dyadic;
 use crate::common::exact::{Member, exact, is_witness, lies_in_centered, member, solve, times};
 use crate::common::random::{Random, cases};
 
-pub const METHODS: [Reduction; 4] = [Reduction::Combastel, Reduction::Girard, Reduction::Pca, Reduction::Method4];
-
 /// What the members of a reduced set are proven with.
 struct Split {
     /// Coordinates of the kept columns, which are columns of the original set.

@@ -36,7 +36,7 @@ fn regular_polygons() {
             (0..m).map(|j| std::f64::consts::PI * f64::from(j) / f64::from(m)).map(|t| [t.cos(), t.sin()]).collect();
         let set = Zonotope::new(
             &[1.0, 2.0],
-            &Matrix::from_columns(&columns.iter().map(|c| c.as_slice()).collect::<Vec<_>>()).unwrap(),
+            &Matrix::from_columns(&columns.iter().map(<[f64; 2]>::as_slice).collect::<Vec<_>>()).unwrap(),
         )
         .unwrap();
         let expected = 2.0 * f64::from(m) / (std::f64::consts::PI / (2.0 * f64::from(m))).tan();
