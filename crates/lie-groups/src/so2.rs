@@ -54,7 +54,7 @@ impl<S: Coeff> SO2<S> {
         self.turn.unit()
     }
 
-    /// Angle in `(-pi, pi)` radians.
+    /// Angle in `(-pi, pi)` radians; over `f64` a half turn gives `pi` or `-pi` by the sign of the sine.
     ///
     /// # Errors
     /// Those of [`LieGroup::log`].

@@ -1,6 +1,6 @@
 //! Sets of rotations as arcs of the unit circle: ranges of angles.
 
-use scalars::{Interval, Scalar};
+use scalars::Interval;
 
 use super::Coeff;
 use crate::{Complex, GroupError, Turn};
@@ -52,11 +52,13 @@ pub(super) fn in_box(z: Complex<Interval>) -> Result<Turn<Interval>, GroupError>
         (true, false) => Interval::PI + angles(Complex::new(-z.re, -z.im)),
         (true, true) => Interval::PI.hull(-Interval::PI),
     };
-    if arc.is_empty() {
+    // What the arc says of cosine and sine cuts off the part of the box far from the circle.
+    let unit = turn(arc).unit();
+    let unit = Complex::new(unit.re.intersection(z.re), unit.im.intersection(z.im));
+    if unit.re.is_empty() || unit.im.is_empty() {
         return Err(GroupError::NotARotation);
     }
-    let unit = Interval::lit(-1.0, 1.0);
-    Ok(Turn::new(Complex::new(z.re.intersection(unit), z.im.intersection(unit)), arc))
+    Ok(Turn::new(unit, arc))
 }
 
 /// Principal angles of the unit complex numbers in a box without -1.

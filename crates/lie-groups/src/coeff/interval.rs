@@ -29,7 +29,7 @@ struct Peak {
     value: f64,
 }
 
-/// `sin t / t` has its first trough at `tan t = t`, 4.493..; up to `2 pi` only `phi_1` and `phi_2` are needed.
+/// `sin t / t` falls up to its first trough at `tan t = t`, 4.493.., the other parts of `phi_1` and `phi_2` up to `2 pi`, once past their peaks.
 const NEAR: f64 = 4.49;
 
 const PHI1: Curve = Curve {

@@ -24,7 +24,7 @@ use crate::{Complex, GroupError, Turn};
 /// | `psi_1(i t)` | `(t/2) cot(t/2)` | `-t/2` |
 /// | `psi_2(i t)` | `1/2` | `-(1 - (t/2) cot(t/2)) / t` |
 ///
-/// None of them has a singularity at 0. A group whose frame also scales uses the same functions at `z = s + i theta`.
+/// None of them has a singularity at 0. Implemented for `f64` and `Interval`, and only for these. A group whose frame also scales uses the same functions at `z = s + i theta`.
 ///
 /// **Guarantee:** over `f64` at most a few units in the last place of error relative to the modulus, at every scale; over
 /// `Interval` supersets of the range over the box, within a few units in the last place for a point.

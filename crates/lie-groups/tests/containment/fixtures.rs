@@ -1,6 +1,6 @@
 //! Single boxes at the edges of the case distinctions.
 
-use lie_groups::{Coeff, LieGroup, SE2};
+use lie_groups::{Coeff, LieGroup, SE2, SO2};
 use nalgebra::{Matrix2, Vector3};
 use scalars::Interval;
 
@@ -70,4 +70,18 @@ fn next_to_a_half_turn() {
     let heading = interval(3.0, PI);
     let log = SE2::from_pose(heading, Interval::ONE, Interval::ZERO).log().unwrap();
     assert!(heading.subset_of(&log[0]) && log[0].width() < 0.1416);
+}
+
+/// Of a loose box of cosines and sines only the arc counts.
+#[test]
+fn boxes_shrink_to_their_arc() {
+    let rotation = SO2::from_cos_sin(interval(-0.1, 1.0), interval(0.0, 0.1)).unwrap();
+    assert!(rotation.unit().re.lo() > 0.99 && rotation.angle().unwrap().hi() < 0.1002);
+    // Across the half turn there is an arc but no log.
+    let back = SO2::from_cos_sin(interval(-1.0, -0.9), interval(-0.1, 0.1)).unwrap();
+    assert!(back.angle().is_err() && back.turn().arc().width() < 0.21);
+    assert!(back.compose(&back).angle().unwrap().mag() < 0.21);
+    // The whole circle.
+    let any = SO2::from_cos_sin(interval(-1.0, 1.0), interval(-1.0, 1.0)).unwrap();
+    assert!(interval(-PI, PI).subset_of(&any.turn().arc()));
 }
