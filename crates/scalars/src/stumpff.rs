@@ -14,7 +14,7 @@ use crate::{Interval, Scalar};
 impl Interval {
     /// `{ C_k(s) }` for every interval of `s`, positive, negative or both, and `k <= 20`; beyond, the whole line.
     ///
-    /// **Guarantee:** superset; the range to rounding for `k >= 3` and, for `k = 0, 1, 2`, where `s <= 20`.
+    /// **Guarantee:** superset; the exact range up to rounding, except for `k = 1` beyond `s = 20` and `k = 2` beyond `s = 80`.
     ///
     /// ```
     /// use scalars::Interval;
@@ -56,7 +56,7 @@ impl Interval {
     }
 }
 
-/// `C_k(s)` at a floating-point number, `k >= 1` if `s` is infinite. The series for `k <= 20` stay within the table.
+/// `C_k(s)` at a floating-point number, `k >= 1` if `s` is infinite; the table of factorials serves `k <= 20`.
 pub(crate) fn stumpff_at<S: Scalar>(s: f64, k: usize) -> S {
     if k > 20 {
         return inverse_factorial(usize::MAX);
