@@ -29,10 +29,10 @@ pub enum Membership {
 impl Zonotope {
     /// Whether a point, known to lie in a box `P`, lies in the set: inside if `P` is a subset, outside if `P` is disjoint from it.
     ///
-    /// Three tests in order of cost: the interval hull; a witness `xi` with `p - c - G xi` absorbed by `r` or by a proven correction
-    /// of `xi`; and all facets, `|l'(p - c)| <= sum_j |l'g_j| + |l|'r` for every normal `l` of `n - 1` columns of `[G I]`, in floating
-    /// point with a rigorous error bound and in interval arithmetic where that does not decide. The columns of `I` make the facets
-    /// complete for flat sets and for the box remainder.
+    /// Three tests in order of cost: the interval hull; a witness `xi` found in floating point whose residual `p - c - G xi` a proven
+    /// correction takes up; and all facets, `|l'(p - c)| <= sum_j |l'g_j| + |l|'r` for every normal `l` of `n - 1` columns of `[G I]`,
+    /// in floating point with a rigorous error bound and in interval arithmetic where that does not decide. The columns of `I` make
+    /// the facets complete for flat sets and for the box remainder.
     ///
     /// **Guarantee:** both proofs hold for the exact set and every point of `P`. Points nearer to the boundary than rounding are
     /// [`Undecided`](Membership::Undecided); so are points that only the facets could decide when there are more than

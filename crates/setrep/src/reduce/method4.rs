@@ -6,7 +6,7 @@
 //! column `j` is that of `R_ij / d_i`. The columns that stay are the original ones.
 //!
 //! **Source:** Chisci, Garulli, Zappa 1996; Scott, Raimondo, Marseglia, Braatz 2016; Yang and Scott 2018, method 4. Enclosure for a
-//! computed `R`: [`frame`](super::frame).
+//! computed `R`: [`frame`].
 
 use super::{combastel, frame};
 use crate::{SetError, Workspace, Zonotope};

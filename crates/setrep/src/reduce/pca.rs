@@ -3,7 +3,7 @@
 //! With `B` the columns to enclose and `U` the eigenvectors of `B B'`, `{ B xi }` lies in the box with axes `U` and half-widths
 //! `sum_j |U'B|_ij`. The columns are chosen by 2-norm as in [Combastel's](super::combastel) reduction.
 //!
-//! **Source:** Kopetzki, Schuermann, Althoff 2017 (PCA); enclosure for computed, not quite orthogonal `U`: [`frame`](super::frame).
+//! **Source:** Kopetzki, Schuermann, Althoff 2017 (PCA); enclosure for computed, not quite orthogonal `U`: [`frame`].
 
 use super::{combastel, frame, jacobi, selection};
 use crate::{SetError, Workspace, Zonotope};
