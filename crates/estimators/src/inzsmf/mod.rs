@@ -171,12 +171,13 @@ where
         let mut a = SMatrix::identity();
         if let Some(xi) = input {
             check_finite("input", xi.as_slice())?;
-            estimate = estimate.compose(&G::exp(xi));
-            a = Side::transition::<G, N, D>(xi);
+            let motion = G::exp(xi);
+            estimate = estimate.compose(&motion);
+            a = Side::transition(&motion);
         }
         // The published noise map is that of the prediction, the transported one that of the corrected estimate.
         let mut noise_at = estimate;
-        self.errors.begin(&SVector::zeros())?;
+        self.errors.begin()?;
         let mut closed = a;
         let mut correction = None;
         if let Some(y) = output {
@@ -203,7 +204,7 @@ where
         if let Some((gain, innovation)) = &correction {
             self.errors.add_output(|j| -gain * innovation.noise(&self.noise, j))?;
         }
-        self.errors.commit(&SVector::zeros())?;
+        self.errors.commit();
         self.estimate = estimate;
         Ok(())
     }
