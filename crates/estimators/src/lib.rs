@@ -50,3 +50,8 @@ pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
 pub use zsmf::{Model, Zsmf};
+
+/// The README's example is a doctest.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
