@@ -16,7 +16,7 @@ pub fn figure(course: &Course, study: &Study) -> Figure {
     let title = format!("Robot log {}, first heading off by {} degrees", course.number, HEADING_ERRORS_DEG[DRAWN]);
     Figure::new(format!("log-{}", course.number), title, 2)
         .with(map(course, study))
-        .with(heading_error(study))
+        .with(heading_error(study, "heading error and bounds", &Method::ALL))
         .with(rms(study, "position error", "RMS over the draws [m]", |step| {
             step.position_error[0].hypot(step.position_error[1])
         }))
@@ -27,12 +27,21 @@ pub fn figure(course: &Course, study: &Study) -> Figure {
         .with(containment(study))
 }
 
-/// What the figure shows, in a line.
+/// Heading error and its bounds alone, for the two filters of the paper.
+#[must_use]
+pub fn heading(course: &Course, study: &Study) -> Figure {
+    let title = format!("Robot log {}: heading error and its bounds", course.number);
+    let panel = format!("first heading off by {} degrees (dashed: bounds)", HEADING_ERRORS_DEG[DRAWN]);
+    let panel = heading_error(study, &panel, &[Method::Zsmf, Method::InZsmf]);
+    Figure::new("heading", title, 1).with(panel)
+}
+
+/// What the figure of a log shows, in a line.
 #[must_use]
 pub fn caption(course: &Course) -> String {
     format!(
-        "Log {}: course and heading error of the first draw of noise (dashed: bounds of the set), root mean squares over the draws, mean \
-         side of the position box, share of draws and first headings that have not lost the reference.",
+        "Log {}: course and heading error of the first draw of noise (dashed: bounds of the set), root mean squares over the draws of \
+         the errors and of the side of the position box, share of draws and first headings that have not lost the reference.",
         course.number
     )
 }
@@ -62,9 +71,9 @@ fn map(course: &Course, study: &Study) -> Panel {
     })
 }
 
-fn heading_error(study: &Study) -> Panel {
-    let panel = Panel::new("heading error and bounds", "t [s]", "heading error [rad]").y_range(-3.2, 3.2);
-    Method::ALL.into_iter().fold(panel, |panel, method| {
+fn heading_error(study: &Study, title: &str, methods: &[Method]) -> Panel {
+    let panel = Panel::new(title, "t [s]", "heading error [rad]").y_range(-3.2, 3.2);
+    methods.iter().fold(panel, |panel, &method| {
         let curve = |value: fn(&Step) -> f64| {
             first_run(study, method).iter().enumerate().map(move |(k, step)| (time_s(k), value(step)))
         };

@@ -14,7 +14,7 @@ use crate::vehicle::{Pose, TruePose};
 use crate::wifibot::odometry::{Window, element};
 
 /// Bound on each coordinate of a position fix, m.
-pub const FIX_BOUND_M: f64 = 0.5;
+pub const FIX_BOUND_M: f64 = 0.1;
 /// Order reduction of both filters: a valid one, with few generators more than the paper's.
 pub const REDUCTION: (Reduction, usize) = (Reduction::Girard, 60);
 
@@ -257,9 +257,9 @@ mod tests {
     /// The first sets hold every heading, and every position that the first fix allows.
     #[test]
     fn first_sets_hold_the_truth() {
-        for (heading, corner) in [(3.14, [0.5, 0.5]), (-3.1, [-0.5, 0.5]), (2.0, [0.5, -0.5]), (0.0, [-0.5, -0.5])] {
+        for (heading, corner) in [(3.1, [1.0, 1.0]), (-3.1, [-1.0, 1.0]), (2.0, [1.0, -1.0]), (0.0, [-1.0, -1.0])] {
             let guess = Pose { heading_rad: 0.3, position: [1.0, 1.0] };
-            let truth = Pose { heading_rad: 0.3 + heading, position: [1.0 + corner[0], 1.0 + corner[1]] };
+            let truth = Pose { heading_rad: 0.3 + heading, position: corner.map(|sign| 1.0 + sign * FIX_BOUND_M) };
             for method in Method::ALL {
                 let filter = method.start(&guess, [0.01; 3]).unwrap();
                 let set = filter.error_set().unwrap();

@@ -11,7 +11,7 @@ pub mod study;
 use std::time::Instant;
 
 use crate::data::wifibot::load;
-use crate::{Context, Experiment, Output, Results, Row, ScenarioError};
+use crate::{Context, Experiment, Figure, Output, Results, Row, ScenarioError};
 use filters::Method;
 use odometry::Course;
 use study::Study;
@@ -19,7 +19,7 @@ use study::Study;
 /// The logs with a consistent reference and a long course.
 pub const LOGS: [u32; 2] = [2, 3];
 /// Draws of noise: full size, quick.
-const RUNS: (usize, usize) = (50, 4);
+const RUNS: (usize, usize) = (100, 10);
 
 /// ZSMF and InZSMF on logs 2 and 3: wheel odometry, position fixes once a second, unknown first heading.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,8 @@ impl Experiment for WifibotExperiment {
             timings.extend(time(&course, &study)?);
             studies.push((course, study));
         }
-        let figures = studies.iter().map(|(course, study)| figures::figure(course, study)).collect();
+        let mut figures: Vec<Figure> = studies.iter().map(|(course, study)| figures::figure(course, study)).collect();
+        figures.extend(studies.first().map(|(course, study)| figures::heading(course, study)));
         let report = report::report(&studies, &results, &timings);
         Ok(Output { results, timings, report, figures, curves: Vec::new() })
     }

@@ -99,7 +99,7 @@ fn settings(studies: &[(Course, Study)], runs: usize) -> Vec<String> {
         ),
         format!("Gain: F-radius optimal. Order reduction: {reduction:?} to {order} generators, a valid enclosure. Mode `sound`: the terms of second order are dropped."),
         "`inzsmf/transport` moves the set to the coordinates of the corrected estimate; `inzsmf` leaves it where the paper leaves it.".to_owned(),
-        "Hull: of ZSMF the interval hull; of InZSMF a superset of the positions of all poses of the set, so that a wide heading shows in the position.".to_owned(),
+        "Hull: of ZSMF the interval hull; of InZSMF a superset of the positions of all poses of the set, so that a wide heading shows in the position and its `AAR(x)` is not that of ZSMF.".to_owned(),
         "Truth: the reference, taken as exact (motion capture is good to less than a millimetre). So `containment` is about the reference pose, and the errors \
          of the reference count as errors of the odometry."
             .to_owned(),
