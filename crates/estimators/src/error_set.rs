@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, SMatrix, SVector};
 use setrep::{Matrix, Reduction, SetError, Workspace, Zonotope};
 
 use crate::EstimatorError;
-use crate::error::check_size;
+use crate::error::{check_finite, check_size};
 use crate::gain::{Gain, f_radius_gain, place};
 
 /// A placed gain with the pair it belongs to.
@@ -111,7 +111,10 @@ impl<const N: usize, const M: usize> ErrorSet<N, M> {
                 self.next.covariation_into(&mut self.covariation);
                 f_radius_gain(a, &self.covariation.to_smatrix()?, c, q_v)
             }
-            Gain::Fixed(gain) => Ok(*gain),
+            Gain::Fixed(gain) => {
+                check_finite("fixed gain", gain.as_slice())?;
+                Ok(*gain)
+            }
             Gain::Poles(_) if !whole_step => Err(EstimatorError::GainNeedsInput),
             Gain::Poles(poles) => match &self.placed {
                 Some(placed) if placed.a == *a && placed.c == *c => Ok(placed.gain),
