@@ -47,7 +47,7 @@ impl Experiment for WifibotExperiment {
             studies.push((course, study));
         }
         let mut figures: Vec<Figure> = studies.iter().map(|(course, study)| figures::figure(course, study)).collect();
-        figures.extend(studies.first().map(|(course, study)| figures::heading(course, study)));
+        figures.extend(studies.last().map(|(course, study)| figures::heading(course, study)));
         let report = report::report(&studies, &results, &timings);
         Ok(Output { results, timings, report, figures, curves: Vec::new() })
     }

@@ -106,6 +106,11 @@ fn settings(studies: &[(Course, Study)], runs: usize) -> Vec<String> {
         "A step counts as lost if the reference, in every full turn of its heading, is proven outside the set."
             .to_owned(),
     ];
+    settings.push(
+        "Odometry: speed and rate of a sample hold over the interval that ends with it (in the logs, speed times interval is smooth and the \
+         speed alone is not)."
+            .to_owned(),
+    );
     settings.extend(studies.iter().map(|(course, _)| {
         let [turn, x1, x2] = course.worst();
         let [bound_turn, bound_x1, bound_x2] = course.bounds().map(|bound| significant(bound, 3));
