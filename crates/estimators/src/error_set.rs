@@ -10,6 +10,9 @@ use crate::EstimatorError;
 use crate::error::{check_finite, check_size};
 use crate::gain::{Gain, f_radius_gain, place};
 
+/// Up to this order memory is reserved beforehand, so that no step allocates; beyond it sets grow as they need to.
+const RESERVED_ORDER: usize = 4096;
+
 /// A placed gain with the pair it belongs to.
 #[derive(Debug, Clone)]
 struct Placed<const N: usize, const M: usize> {
@@ -76,7 +79,8 @@ impl<const N: usize, const M: usize> ErrorSet<N, M> {
             if order < N {
                 return Err(SetError::TooFewGenerators { max_generators: order, dim: N }.into());
             }
-            let columns = order + N + self.process.cols() + self.output.cols();
+            // An order that no run reaches must not reserve memory that no run needs.
+            let columns = order.min(RESERVED_ORDER) + N + self.process.cols() + self.output.cols();
             self.current.reserve_generators(columns.saturating_sub(self.current.num_generators()));
             self.next.reserve_generators(columns.saturating_sub(self.next.num_generators()));
         }

@@ -322,6 +322,16 @@ fn a_huge_increment_does_not_panic() {
     }
 }
 
+/// "Practically no reduction" reserves no memory for it.
+#[test]
+fn an_order_beyond_all_memory_is_fine() {
+    for order in [1 << 40, usize::MAX] {
+        let mut filter =
+            vehicle_inzsmf([0.3, 1.0, 0.0], [0.5, 2.0, 2.0]).with_reduction(Reduction::Combastel, order).unwrap();
+        filter.step(&increment(), &[0.0, 0.0]).unwrap();
+    }
+}
+
 /// The culprit is named: a gain that is not finite, and a set so large that its covariation overflows.
 #[test]
 fn errors_name_the_culprit() {

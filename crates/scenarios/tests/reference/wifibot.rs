@@ -11,11 +11,17 @@ use scenarios::{Context, Experiment, ScenarioError};
 
 /// The folder with the data; one line that says how to get it where there is none.
 fn data() -> Option<PathBuf> {
-    let folder = std::env::var_os("ORBITOPE_DATA").map(PathBuf::from);
-    if folder.is_none() {
+    let Some(folder) = std::env::var_os("ORBITOPE_DATA").map(PathBuf::from) else {
         println!("skipped, ORBITOPE_DATA is not set: {HOW_TO_GET}");
+        return None;
+    };
+    for number in LOGS {
+        if let Err(error @ ScenarioError::DataMissing { .. }) = load(Some(&folder), "wifibot", number) {
+            println!("skipped {error}");
+            return None;
+        }
     }
-    folder
+    Some(folder)
 }
 
 /// The displacement of a window is `s d + (R - I) l`: odometry `d` times a scale, and a lever arm `l` swung by the turn `R`.
