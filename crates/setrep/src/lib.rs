@@ -32,6 +32,7 @@ mod interval_vector;
 mod matrix;
 mod matrix_nalgebra;
 mod ops;
+mod polytope;
 mod reduce;
 // mod wedge;
 mod workspace;
@@ -43,6 +44,12 @@ pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
 // pub use ops::membership::{FACET_LIMIT, Membership};
 // pub use ops::volume::MINOR_LIMIT;
+pub use polytope::{Emptiness, HPolytope, MAX_FACES, VPolytope};
 pub use reduce::Reduction;
 pub use workspace::Workspace;
 pub use zonotope::Zonotope;
+
+/// Temporary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Membership { ProvenInside, ProvenOutside, Undecided }

@@ -1,0 +1,391 @@
+//! Extreme rays of a polyhedral cone by the double description method, with exact combinatorics.
+//!
+//! `C = { y in R^d : a_i'y >= 0 }`. The method keeps the extreme rays of the cone of the constraints inserted so far, each with the
+//! set `T` of inserted constraints that are tight at it. Inserting `a` splits the rays by the sign of `a'y` into `+`, `0`, `-`; those
+//! of `-` die, and each pair of adjacent rays `p` of `+` and `n` of `-` has the child `(a'p) n - (a'n) p` with `T = (T_p & T_n) + a`.
+//!
+//! - **Signs are exact** ([`rays`](super::rays)), so the tight sets are, and the result is the one of real arithmetic.
+//! - **Adjacency.** `p`, `n` are adjacent iff the smallest face that holds both has no other extreme ray: no other `T` contains
+//!   `T_p & T_n` (needed: at least `d - 2` members). If `T_p` and `T_n` have just `d - 1` members, which are then independent, sharing
+//!   `d - 2` of them is enough, and a hash table over these subsets finds the partner; only degenerate rays are paired one by one.
+//! - **Waiting constraints.** Each keeps one ray that violates it as witness; without one it is redundant and dropped. When the
+//!   witness dies it is enough to look among the new rays and those of `0`: the rays that violate a constraint are connected by
+//!   edges, so if one lives on, an edge leads from a dead to a living one, and its child (or its end in `0`) violates too.
+//!
+//! **Source:** Motzkin et al., *The double description method* (1953); Fukuda, Prodon, *Double description method revisited*
+//! (1996), propositions 5-7; the witnesses are the outside sets of Barber, Dobkin, Huhdanpaa, *The quickhull algorithm* (1996).
+
+use core::cmp::Ordering;
+
+use super::exact::Echelon;
+use super::incidence::{common, count, is_subset};
+use super::rays::{Rays, Value};
+use super::rows::Rows;
+use super::solve::{Solver, pivots};
+use crate::SetError;
+
+/// Word operations of adjacency tests before an enumeration is refused: some seconds.
+const WORK_LIMIT: u64 = 4_000_000_000;
+
+/// No ray, no row.
+const NONE: u32 = u32::MAX;
+
+/// What the constraints span.
+pub(super) enum Span {
+    /// `dim` independent rows.
+    Full(Vec<usize>),
+    /// Fewer: columns on which the rows are independent; the others depend on them.
+    Columns(Vec<usize>),
+}
+
+/// Independent rows, exactly. `first` comes first where the rank is not full.
+pub(super) fn span(rows: &Rows, first: Option<usize>) -> Span {
+    let dim = rows.dim();
+    if let Some((order, _)) = pivots(&mut rows.scaled().to_vec(), dim, dim) {
+        let basis: Vec<usize> = order[..dim].to_vec();
+        let matrix: Vec<f64> = basis.iter().flat_map(|&i| rows.row(i)).copied().collect();
+        // Regularity of the floats is that of the rows if scaling lost nothing.
+        if !rows.has_underflow() && Solver::default().solve(dim, &matrix, &vec![0.0; dim]) {
+            return Span::Full(basis);
+        }
+    }
+    let mut echelon = Echelon::new(dim);
+    let mut basis = Vec::with_capacity(dim);
+    for i in first.into_iter().chain(0..rows.len()) {
+        if echelon.push(&rows.integers(i).entries) {
+            basis.push(i);
+            if basis.len() == dim {
+                return Span::Full(basis);
+            }
+        }
+    }
+    let mut columns = echelon.pivots().to_vec();
+    columns.sort_unstable();
+    Span::Columns(columns)
+}
+
+/// The extreme rays of a pointed cone.
+pub(super) struct Cone<'a> {
+    rows: &'a Rows,
+    /// Ray storage; only `live` slots count.
+    pub(super) rays: Rays,
+    /// Slots of the extreme rays.
+    pub(super) live: Vec<u32>,
+    /// The row of each inserted constraint.
+    pub(super) slots: Vec<u32>,
+    free: Vec<u32>,
+    keys: Vec<u64>,
+    counts: Vec<u32>,
+    values: Vec<Value>,
+    waiting: Waiting,
+    table: Table,
+    max_rays: usize,
+    work: u64,
+}
+
+/// The waiting constraints in lists by witness.
+struct Waiting {
+    first: Vec<u32>,
+    next: Vec<u32>,
+    violation: Vec<f64>,
+    rows: Vec<u32>,
+}
+
+impl<'a> Cone<'a> {
+    /// Enumerates the extreme rays of a cone from `dim` independent rows.
+    ///
+    /// # Errors
+    /// [`SetError::OverBudget`] if more than `max_rays` rays are alive at some stage, or pairing them takes too long.
+    pub(super) fn enumerate(rows: &'a Rows, basis: &[usize], max_rays: usize) -> Result<Self, SetError> {
+        Self::enumerate_first(rows, basis, rows.len(), max_rays)
+    }
+
+    /// [`enumerate`](Self::enumerate) for the cone of the first `count` rows only; the others can be evaluated at its rays.
+    ///
+    /// # Errors
+    /// As [`enumerate`](Self::enumerate).
+    pub(super) fn enumerate_first(rows: &'a Rows, basis: &[usize], count: usize, max_rays: usize) -> Result<Self, SetError> {
+        let mut cone = Self {
+            rows,
+            rays: Rays::new(rows.dim(), 64.min(rows.len())),
+            live: Vec::new(),
+            slots: basis.iter().map(|&i| i as u32).collect(),
+            free: Vec::new(),
+            keys: Vec::new(),
+            counts: Vec::new(),
+            values: Vec::new(),
+            waiting: Waiting { first: Vec::new(), next: vec![NONE; rows.len()], violation: vec![0.0; rows.len()], rows: Vec::new() },
+            table: Table::default(),
+            max_rays,
+            work: 0,
+        };
+        cone.rays.tight.grow_universe(basis.len());
+        cone.start(count);
+        while let Some(row) = cone.waiting.take_worst() {
+            cone.insert(row as usize)?;
+        }
+        Ok(cone)
+    }
+
+    /// The simplicial cone of the basis: ray `i` is tight at all of it but constraint `i`.
+    fn start(&mut self, count: usize) {
+        let dim = self.rows.dim();
+        for i in 0..dim {
+            let ray = self.new_ray();
+            for slot in (0..dim).filter(|&slot| slot != i) {
+                self.rays.tight.insert(ray, slot);
+                self.keys[ray] ^= slot_key(slot);
+            }
+            self.counts[ray] = dim as u32 - 1;
+            self.live.push(ray as u32);
+            self.rays.solve(self.rows, &self.slots, ray);
+        }
+        let everyone = self.live.clone();
+        for row in 0..count {
+            if !self.slots.contains(&(row as u32)) && self.rows.norm(row) > 0.0 {
+                self.waiting.rows.push(row as u32);
+                self.find_witness(row, &everyone);
+            }
+        }
+        self.waiting.drop_settled();
+    }
+
+    fn new_ray(&mut self) -> usize {
+        if let Some(ray) = self.free.pop() {
+            let ray = ray as usize;
+            self.rays.clear(ray);
+            (self.keys[ray], self.counts[ray], self.waiting.first[ray]) = (0, 0, NONE);
+            return ray;
+        }
+        self.keys.push(0);
+        self.counts.push(0);
+        self.waiting.first.push(NONE);
+        self.values.push(Value { sign: Ordering::Equal, mid: 0.0, err: 0.0 });
+        self.rays.push()
+    }
+
+    /// Hands a waiting row to the candidate that it cuts off the most, or settles it if it cuts off none.
+    fn find_witness(&mut self, row: usize, candidates: &[u32]) {
+        let (mut witness, mut worst) = (NONE, 0.0);
+        let mut undecided = false;
+        for &ray in candidates {
+            match self.rays.estimate(self.rows, ray as usize, row) {
+                Some(value) if value.mid < worst => (witness, worst) = (ray, value.mid),
+                Some(_) => {}
+                None => undecided = true,
+            }
+        }
+        if witness == NONE && undecided {
+            for &ray in candidates {
+                let value = self.rays.value(self.rows, &self.slots, ray as usize, row);
+                if value.sign.is_lt() {
+                    (witness, worst) = (ray, value.mid);
+                    break;
+                }
+            }
+        }
+        self.waiting.violation[row] = -1.0;
+        if witness != NONE {
+            self.waiting.violation[row] = -worst / self.rows.norm(row);
+            self.waiting.next[row] = core::mem::replace(&mut self.waiting.first[witness as usize], row as u32);
+        }
+    }
+
+    /// Inserts one constraint that some ray violates.
+    fn insert(&mut self, row: usize) -> Result<(), SetError> {
+        let dim = self.rows.dim();
+        let slot = self.slots.len();
+        let (mut plus, mut zero, mut minus) = (Vec::new(), Vec::new(), Vec::new());
+        for &ray in &self.live {
+            let value = self.rays.value(self.rows, &self.slots, ray as usize, row);
+            self.values[ray as usize] = value;
+            match value.sign {
+                Ordering::Greater => plus.push(ray),
+                Ordering::Equal => zero.push(ray),
+                Ordering::Less => minus.push(ray),
+            }
+        }
+        let pairs = self.adjacent_pairs(&plus, &minus)?;
+        let alive = plus.len() + zero.len() + pairs.len();
+        if alive > self.max_rays {
+            return Err(SetError::OverBudget { count: alive, limit: self.max_rays });
+        }
+        self.slots.push(row as u32);
+        self.rays.tight.grow_universe(slot + 1);
+        for &ray in &zero {
+            self.rays.tight.insert(ray as usize, slot);
+            self.keys[ray as usize] ^= slot_key(slot);
+            self.counts[ray as usize] += 1;
+        }
+        let mut candidates = Vec::with_capacity(pairs.len() + zero.len());
+        for &(p, n) in &pairs {
+            candidates.push(self.child(p as usize, n as usize, slot) as u32);
+        }
+        self.live = plus;
+        self.live.extend_from_slice(&zero);
+        self.live.extend_from_slice(&candidates);
+        candidates.extend_from_slice(&zero);
+        debug_assert!(self.live.iter().all(|&ray| self.counts[ray as usize] as usize + 1 >= dim));
+        for &ray in &minus {
+            let mut orphan = core::mem::replace(&mut self.waiting.first[ray as usize], NONE);
+            while orphan != NONE {
+                let next = self.waiting.next[orphan as usize];
+                if orphan as usize != row {
+                    self.find_witness(orphan as usize, &candidates);
+                }
+                orphan = next;
+            }
+        }
+        self.free.extend_from_slice(&minus);
+        self.waiting.drop_settled();
+        Ok(())
+    }
+
+    /// The ray of the edge from `p` to `n` on which constraint `slot` is tight.
+    fn child(&mut self, p: usize, n: usize, slot: usize) -> usize {
+        let ray = self.new_ray();
+        let (mut key, mut tight_count) = (slot_key(slot), 1);
+        for word in 0..self.rays.tight.get(ray).len() {
+            let mut both = self.rays.tight.get(p)[word] & self.rays.tight.get(n)[word];
+            self.rays.tight.get_mut(ray)[word] = both;
+            tight_count += both.count_ones();
+            while both != 0 {
+                key ^= slot_key(64 * word + both.trailing_zeros() as usize);
+                both &= both - 1;
+            }
+        }
+        self.rays.tight.insert(ray, slot);
+        (self.keys[ray], self.counts[ray]) = (key, tight_count);
+        self.rays.combine(ray, (p, self.values[p]), (n, self.values[n]));
+        if self.rays.is_coarse(ray) {
+            self.rays.solve(self.rows, &self.slots, ray);
+        }
+        ray
+    }
+
+    /// The adjacent pairs of a ray of `plus` and a ray of `minus`.
+    fn adjacent_pairs(&mut self, plus: &[u32], minus: &[u32]) -> Result<Vec<(u32, u32)>, SetError> {
+        let dim = self.rows.dim() as u32;
+        let shared = dim.saturating_sub(2);
+        let tight = &self.rays.tight;
+        let is_simple = |&ray: &u32| self.counts[ray as usize] + 1 == dim;
+        // A partner shares `dim - 2` constraints with a ray of `minus`, all the more with their union.
+        let mut union = vec![0; tight.get(minus[0] as usize).len()];
+        for &ray in minus {
+            for (all, word) in union.iter_mut().zip(tight.get(ray as usize)) {
+                *all |= word;
+            }
+        }
+        let near: Vec<u32> = plus.iter().copied().filter(|&ray| common(tight.get(ray as usize), &union) >= shared).collect();
+        let (simple_minus, other_minus): (Vec<u32>, Vec<u32>) = minus.iter().copied().partition(is_simple);
+        let (simple_near, other_near): (Vec<u32>, Vec<u32>) = near.iter().copied().partition(is_simple);
+        let mut pairs = Vec::new();
+        self.table.reset(simple_minus.len() * (dim as usize - 1));
+        for &ray in &simple_minus {
+            for slot in super::incidence::iter(tight.get(ray as usize)) {
+                self.table.insert(self.keys[ray as usize] ^ slot_key(slot), ray);
+            }
+        }
+        for &p in &simple_near {
+            for slot in super::incidence::iter(tight.get(p as usize)) {
+                self.table.find(self.keys[p as usize] ^ slot_key(slot), |n| {
+                    if common(tight.get(p as usize), tight.get(n as usize)) == shared {
+                        pairs.push((p, n));
+                    }
+                });
+            }
+        }
+        let mut both = vec![0; union.len()];
+        for (left, right) in [(&near, &other_minus), (&other_near, &simple_minus)] {
+            for &p in left {
+                for &n in right {
+                    for ((word, a), b) in both.iter_mut().zip(tight.get(p as usize)).zip(tight.get(n as usize)) {
+                        *word = a & b;
+                    }
+                    self.work += both.len() as u64;
+                    if count(&both) < shared {
+                        continue;
+                    }
+                    self.work += (self.live.len() * both.len()) as u64;
+                    let is_face_of = |&ray: &u32| ray != p && ray != n && is_subset(&both, tight.get(ray as usize));
+                    match self.live.iter().position(is_face_of) {
+                        // The next pair often fails on the same ray.
+                        Some(at) => self.live.swap(0, at),
+                        None => pairs.push((p, n)),
+                    }
+                }
+                if self.work > WORK_LIMIT {
+                    return Err(SetError::OverBudget { count: self.live.len(), limit: self.max_rays });
+                }
+            }
+        }
+        Ok(pairs)
+    }
+}
+
+impl Waiting {
+    /// Takes out the row with the largest violation.
+    fn take_worst(&mut self) -> Option<u32> {
+        let at = (0..self.rows.len()).max_by(|&a, &b| {
+            let (a, b) = (self.violation[self.rows[a] as usize], self.violation[self.rows[b] as usize]);
+            a.partial_cmp(&b).unwrap_or(Ordering::Equal)
+        })?;
+        Some(self.rows.swap_remove(at))
+    }
+
+    /// Forgets the rows without witness.
+    fn drop_settled(&mut self) {
+        let violation = &self.violation;
+        self.rows.retain(|&row| violation[row as usize] >= 0.0);
+    }
+}
+
+/// A random word for each constraint; the XOR over a set is its key.
+#[inline]
+fn slot_key(slot: usize) -> u64 {
+    // splitmix64
+    let mut z = (slot as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// A multimap from keys to rays by open addressing.
+#[derive(Default)]
+struct Table {
+    keys: Vec<u64>,
+    rays: Vec<u32>,
+    mask: usize,
+}
+
+impl Table {
+    /// Empties the table and makes room for `entries`.
+    fn reset(&mut self, entries: usize) {
+        let size = (2 * entries + 1).next_power_of_two();
+        self.mask = size - 1;
+        self.rays.clear();
+        self.rays.resize(size, NONE);
+        self.keys.resize(size, 0);
+    }
+
+    #[inline]
+    fn insert(&mut self, key: u64, ray: u32) {
+        let mut at = key as usize & self.mask;
+        while self.rays[at] != NONE {
+            at = (at + 1) & self.mask;
+        }
+        (self.keys[at], self.rays[at]) = (key, ray);
+    }
+
+    /// Visits the rays of a key.
+    #[inline]
+    fn find(&self, key: u64, mut visit: impl FnMut(u32)) {
+        let mut at = key as usize & self.mask;
+        while self.rays[at] != NONE {
+            if self.keys[at] == key {
+                visit(self.rays[at]);
+            }
+            at = (at + 1) & self.mask;
+        }
+    }
+}
