@@ -3,7 +3,6 @@
 //! A shared machine is noisy, so two programs timed one after the other can not be compared. Here both sides run in short
 //! windows that alternate; of each side the least mean over a window counts, and only the ratio of the two is a claim.
 
-use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
@@ -38,27 +37,58 @@ impl Default for Budget {
     }
 }
 
-/// Times `ours` and `peer` in alternating windows. Each call of a closure does `batch` operations.
-pub fn compare(
-    name: &str,
-    peer_name: &str,
+/// A comparison: a name, the work of both sides, and how many operations one call of either does.
+pub struct Bench {
+    /// What is timed, as `family/case`.
+    pub name: &'static str,
+    peer: &'static str,
     batch: usize,
-    budget: Budget,
-    mut ours: impl FnMut(),
-    mut peer: impl FnMut(),
-) -> Row {
-    let our_calls = calls_per_window(&mut ours, budget.window);
-    let peer_calls = calls_per_window(&mut peer, budget.window);
-    let (mut our_best, mut peer_best) = (f64::INFINITY, f64::INFINITY);
-    for _ in 0..budget.windows {
-        our_best = our_best.min(window_ns(&mut ours, our_calls));
-        peer_best = peer_best.min(window_ns(&mut peer, peer_calls));
-    }
-    let (ours_ns, peer_ns) = (our_best / batch as f64, peer_best / batch as f64);
-    Row { name: name.to_owned(), ours_ns, peer: peer_name.to_owned(), peer_ns, ratio: peer_ns / ours_ns }
+    ours: Box<dyn FnMut()>,
+    theirs: Box<dyn FnMut()>,
 }
 
-fn calls_per_window(work: &mut impl FnMut(), window: Duration) -> u32 {
+impl Bench {
+    /// A comparison whose calls do one operation each.
+    pub fn new(
+        name: &'static str,
+        peer: &'static str,
+        ours: impl FnMut() + 'static,
+        theirs: impl FnMut() + 'static,
+    ) -> Self {
+        Self { name, peer, batch: 1, ours: Box::new(ours), theirs: Box::new(theirs) }
+    }
+
+    /// The same with `batch` operations in each call.
+    #[must_use]
+    pub fn batched(mut self, batch: usize) -> Self {
+        self.batch = batch;
+        self
+    }
+
+    /// Times both sides in alternating windows.
+    pub fn run(&mut self, budget: Budget) -> Row {
+        let our_calls = calls_per_window(&mut self.ours, budget.window);
+        let peer_calls = calls_per_window(&mut self.theirs, budget.window);
+        let (mut our_best, mut peer_best) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..budget.windows {
+            our_best = our_best.min(window_ns(&mut self.ours, our_calls));
+            peer_best = peer_best.min(window_ns(&mut self.theirs, peer_calls));
+        }
+        let (ours_ns, peer_ns) = (our_best / self.batch as f64, peer_best / self.batch as f64);
+        Row { name: self.name.to_owned(), ours_ns, peer: self.peer.to_owned(), peer_ns, ratio: peer_ns / ours_ns }
+    }
+
+    /// Time of `calls` calls of our side, for a harness of its own.
+    pub fn time_ours(&mut self, calls: u64) -> Duration {
+        let start = Instant::now();
+        for _ in 0..calls {
+            (self.ours)();
+        }
+        start.elapsed()
+    }
+}
+
+fn calls_per_window(work: &mut dyn FnMut(), window: Duration) -> u32 {
     let mut calls = 1_u32;
     loop {
         let start = Instant::now();
@@ -72,10 +102,10 @@ fn calls_per_window(work: &mut impl FnMut(), window: Duration) -> u32 {
     }
 }
 
-fn window_ns(work: &mut impl FnMut(), calls: u32) -> f64 {
+fn window_ns(work: &mut dyn FnMut(), calls: u32) -> f64 {
     let start = Instant::now();
     for _ in 0..calls {
         work();
     }
-    black_box(start.elapsed()).as_nanos() as f64 / f64::from(calls)
+    start.elapsed().as_nanos() as f64 / f64::from(calls)
 }

@@ -7,18 +7,12 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum GroupError {
     /// The rotation angle can be a half turn, where the principal logarithm jumps from `pi` to `-pi`.
-    #[error(
-        "the rotation can reach a half turn (cos in [{cos_lo}, {cos_hi}], sin in [{sin_lo}, {sin_hi}]): no single logarithm"
-    )]
+    #[error("the rotation angle [{theta_lo_rad}, {theta_hi_rad}] rad can reach a half turn: no single logarithm")]
     HalfTurn {
-        /// Lower bound of the cosine of the angle.
-        cos_lo: f64,
-        /// Upper bound of the cosine of the angle.
-        cos_hi: f64,
-        /// Lower bound of the sine of the angle.
-        sin_lo: f64,
-        /// Upper bound of the sine of the angle.
-        sin_hi: f64,
+        /// Lower bound of the angle in radians.
+        theta_lo_rad: f64,
+        /// Upper bound of the angle in radians.
+        theta_hi_rad: f64,
     },
 
     /// The rotation angle can be a full turn, where the exponential is not locally invertible and `Jl^-1` has a pole.

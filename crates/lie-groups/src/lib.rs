@@ -15,7 +15,7 @@
 //! | scalar | an element stands for | results |
 //! |---|---|---|
 //! | `f64` | one element, rounded | rounded, not for bounds |
-//! | `Interval` | every element of the group in a box of its parameters | supersets of the exact image of the box |
+//! | `Interval` | every element with an angle in an arc and a translation in a box | supersets of the exact image of the box |
 //!
 //! NaN and infinities pass through the operations that return a value (over intervals: the entire line) and are a
 //! [`GroupError`] in those that return a `Result`.
@@ -40,6 +40,7 @@ mod lie_group;
 mod rn;
 mod se2;
 mod so2;
+mod turn;
 
 pub use coeff::Coeff;
 pub use complex::Complex;
@@ -49,3 +50,4 @@ pub use lie_group::LieGroup;
 pub use rn::Rn;
 pub use se2::SE2;
 pub use so2::SO2;
+pub use turn::Turn;

@@ -17,7 +17,8 @@ pub trait LieGroup<S: Coeff, const N: usize, const D: usize>: Copy + Debug + Par
     /// Exponential `exp(xi) = expm(hat(xi))`; `exp((s + t) xi) = exp(s xi) exp(t xi)`.
     fn exp(xi: &SVector<S, N>) -> Self;
 
-    /// Principal logarithm: the `xi` with `exp(xi) = X` and rotation angle in `(-pi, pi)`.
+    /// Principal logarithm: the `xi` with `exp(xi) = X` and rotation angle in `(-pi, pi)`; over `f64` a half turn is told as `pi`
+    /// or `-pi` by the sign of its sine.
     ///
     /// # Errors
     /// [`GroupError::HalfTurn`] over intervals if the rotation can reach `pi`; [`GroupError::NotFinite`] for NaN, infinite, empty

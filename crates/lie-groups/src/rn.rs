@@ -1,7 +1,6 @@
 //! R^n: the vector space as a group under addition.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use scalars::Interval;
 
 use crate::lie_group::checked_vee;
 use crate::{Coeff, GroupError, LieGroup};
@@ -41,13 +40,6 @@ impl<S: Coeff, const N: usize> Rn<S, N> {
     #[inline]
     pub fn vector(&self) -> SVector<S, N> {
         self.vector
-    }
-}
-
-impl<const N: usize> Rn<f64, N> {
-    /// The same translation as a point of interval coordinates: exact.
-    pub fn enclose(&self) -> Rn<Interval, N> {
-        Rn { vector: self.vector.map(Interval::point) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! SE(2): rigid motions of the plane.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use scalars::{Interval, Scalar};
+use scalars::Scalar;
 
 use crate::lie_group::checked_vee;
 use crate::{Coeff, Complex, GroupError, LieGroup, SO2};
@@ -9,7 +9,7 @@ use crate::{Coeff, Complex, GroupError, LieGroup, SO2};
 /// A rigid motion of the plane: a rotation `R` followed by a translation `x`.
 ///
 /// - **Tangent:** `xi = (theta, u1, u2)`: angle in radians first, then the translational part `u`.
-/// - **Storage:** the unit complex number of `R` and the translation `x`.
+/// - **Storage:** the [`SO2`] of `R` and the translation `x`.
 /// - **Acts on** points of `R^2`: `R p + x`.
 /// - **Matrix:** `[R x; 0 1]`, `hat(xi) = [0 -theta u1; theta 0 u2; 0 0 0]`.
 ///
@@ -26,9 +26,9 @@ use crate::{Coeff, Complex, GroupError, LieGroup, SO2};
 /// | `Jl(xi)` | `[1 0; -i phi_2(z) u, phi_1(z)]` |
 /// | `Jl(xi)^-1` | `[1 0; i psi_2(z) u, psi_1(z)]` |
 ///
-/// Over `f64` the rotation of every product is brought back to the unit circle to first order ([`Coeff::near_unit`]); it does not
-/// drift. Over `Interval` an element is the set of motions whose cosine, sine and translation lie in the four intervals,
-/// and every operation returns a superset of the image of that set.
+/// Over `f64` the rotation of every product is brought back to the unit circle to first order ([`Coeff::product`]); it does not
+/// drift. Over `Interval` an element is the set of motions with an angle in an arc and a translation in a box, and every
+/// operation returns a superset of the image of that set.
 ///
 /// **Source:** paper 000, section II-B and IV (SE(2)); Sola, Deray, Atchuthan, A micro Lie theory, arXiv 1812.01537.
 ///
@@ -44,7 +44,7 @@ use crate::{Coeff, Complex, GroupError, LieGroup, SO2};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SE2<S> {
+pub struct SE2<S: Coeff> {
     rotation: SO2<S>,
     translation: Complex<S>,
 }
@@ -75,16 +75,6 @@ impl<S: Coeff> SE2<S> {
     }
 }
 
-impl SE2<f64> {
-    /// The exact motion that this rounded one stands for (its rotation scaled to length 1), as a tight box.
-    ///
-    /// **Guarantee:** see [`SO2::enclose`]; the translation is exact.
-    pub fn enclose(&self) -> SE2<Interval> {
-        let Complex { re, im } = self.translation;
-        SE2 { rotation: self.rotation.enclose(), translation: Complex::new(Interval::point(re), Interval::point(im)) }
-    }
-}
-
 /// The matrix `[first 0; column, block]` of a Jacobian or adjoint.
 #[inline]
 fn block_lower<S: Scalar>(first: S, column: Complex<S>, block: Complex<S>) -> SMatrix<S, 3, 3> {
@@ -106,13 +96,13 @@ impl<S: Coeff> LieGroup<S, 3, 2> for SE2<S> {
 
     #[inline]
     fn exp(xi: &SVector<S, 3>) -> Self {
-        let (unit, phi1) = S::exp_phi1(xi[0]);
-        Self { rotation: SO2::from_unit(unit), translation: phi1 * translational(xi) }
+        let (turn, phi1) = S::exp_phi1(xi[0]);
+        Self { rotation: turn.into(), translation: phi1 * translational(xi) }
     }
 
     #[inline]
     fn log(&self) -> Result<SVector<S, 3>, GroupError> {
-        let (theta, psi1) = S::log_psi1(self.rotation.unit())?;
+        let (theta, psi1) = S::log_psi1(self.rotation.turn())?;
         self.translation.re.check_finite(2)?;
         self.translation.im.check_finite(3)?;
         let u = psi1 * self.translation;

@@ -1,22 +1,21 @@
 //! SO(2): rotations of the plane.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use scalars::Interval;
 
 use crate::lie_group::checked_vee;
-use crate::{Coeff, Complex, GroupError, LieGroup};
+use crate::{Coeff, Complex, GroupError, LieGroup, Turn};
 
 /// A rotation of the plane by the angle `theta`.
 ///
 /// - **Tangent:** `xi = (theta)`, radians.
-/// - **Storage:** the unit complex number `cos theta + i sin theta`.
+/// - **Storage:** a [`Turn`]: the unit complex number `cos theta + i sin theta`, over intervals with the range of the angle.
 /// - **Acts on** points of `R^2`: `R p`.
 /// - **Matrix:** `R = [cos -sin; sin cos]`, `hat(xi) = [0 -theta; theta 0]`.
 /// - The group is commutative: `Ad = I`, `ad = 0`, `Jl = Jr = I`.
 ///
-/// Over `f64` every product is brought back to the unit circle to first order ([`Coeff::near_unit`]), so that the norm stays within
-/// a few units in the last place of 1 after any number of products. Over `Interval` an element is the set of rotations
-/// whose cosine and sine lie in the two intervals.
+/// Over `f64` every product is brought back to the unit circle to first order ([`Coeff::product`]), so that the norm stays within
+/// a few units in the last place of 1 after any number of products. Over `Interval` an element is the set of rotations by the angles
+/// of an arc; arcs of products are sums of arcs, so nothing but rounding is lost however many there are.
 ///
 /// ```
 /// use lie_groups::{LieGroup, SO2};
@@ -29,15 +28,15 @@ use crate::{Coeff, Complex, GroupError, LieGroup};
 /// # Ok::<(), lie_groups::GroupError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SO2<S> {
-    unit: Complex<S>,
+pub struct SO2<S: Coeff> {
+    turn: Turn<S>,
 }
 
 impl<S: Coeff> SO2<S> {
     /// Rotation by an angle in radians; any angle.
     #[inline]
     pub fn from_angle(theta_rad: S) -> Self {
-        Self { unit: S::cis(theta_rad) }
+        Self { turn: S::turn(theta_rad) }
     }
 
     /// Rotation with the direction `cos + i sin`; over `f64` it is scaled to length 1, over `Interval` it is the set of
@@ -46,46 +45,42 @@ impl<S: Coeff> SO2<S> {
     /// # Errors
     /// [`GroupError::NotFinite`] (index 0 the cosine, 1 the sine), or [`GroupError::NotARotation`] for `(0, 0)` or a box that misses the unit circle.
     pub fn from_cos_sin(cos: S, sin: S) -> Result<Self, GroupError> {
-        Ok(Self { unit: S::unit(Complex::new(cos, sin))? })
+        Ok(Self { turn: S::direction(Complex::new(cos, sin))? })
     }
 
     /// The rotation as the unit complex number `cos theta + i sin theta`.
     #[inline]
     pub fn unit(&self) -> Complex<S> {
-        self.unit
+        self.turn.unit()
     }
 
-    /// Angle in `(-pi, pi)` radians.
+    /// Angle in `(-pi, pi)` radians; over `f64` a half turn gives `pi` or `-pi` by the sign of the sine.
     ///
     /// # Errors
     /// Those of [`LieGroup::log`].
     #[inline]
     pub fn angle(&self) -> Result<S, GroupError> {
-        S::angle(self.unit)
+        S::angle(&self.turn)
     }
 
-    /// Rotation whose unit complex number is already on the circle (up to rounding).
+    /// The rotation as stored.
     #[inline]
-    pub(crate) fn from_unit(unit: Complex<S>) -> Self {
-        Self { unit }
+    pub fn turn(&self) -> &Turn<S> {
+        &self.turn
     }
 }
 
-impl SO2<f64> {
-    /// The exact rotation that this rounded one stands for, `z / |z|`, as a tight box.
-    ///
-    /// **Guarantee:** the box contains the exact unit complex number in the direction of the stored one.
-    pub fn enclose(&self) -> SO2<Interval> {
-        let (re, im) = (Interval::point(self.unit.re), Interval::point(self.unit.im));
-        let norm = (re.sqr() + im.sqr()).sqrt();
-        SO2 { unit: Interval::near_unit(Complex::new(re / norm, im / norm)) }
+impl<S: Coeff> From<Turn<S>> for SO2<S> {
+    #[inline]
+    fn from(turn: Turn<S>) -> Self {
+        Self { turn }
     }
 }
 
 impl<S: Coeff> LieGroup<S, 1, 2> for SO2<S> {
     #[inline]
     fn identity() -> Self {
-        Self { unit: Complex::new(S::one(), S::zero()) }
+        Self::from_angle(S::zero())
     }
 
     #[inline]
@@ -100,22 +95,22 @@ impl<S: Coeff> LieGroup<S, 1, 2> for SO2<S> {
 
     #[inline]
     fn compose(&self, other: &Self) -> Self {
-        Self { unit: S::near_unit(self.unit * other.unit) }
+        Self { turn: S::product(&self.turn, &other.turn) }
     }
 
     #[inline]
     fn inverse(&self) -> Self {
-        Self { unit: self.unit.conj() }
+        Self { turn: S::reverse(&self.turn) }
     }
 
     #[inline]
     fn act(&self, p: &SVector<S, 2>) -> SVector<S, 2> {
-        (self.unit * Complex::from_vector(p)).to_vector()
+        (self.unit() * Complex::from_vector(p)).to_vector()
     }
 
     #[inline]
     fn act_linear(&self) -> SMatrix<S, 2, 2> {
-        self.unit.to_matrix()
+        self.unit().to_matrix()
     }
 
     #[inline]
@@ -155,7 +150,7 @@ impl<S: Coeff> LieGroup<S, 1, 2> for SO2<S> {
     }
 
     fn matrix(&self) -> DMatrix<S> {
-        let Complex { re: cos, im: sin } = self.unit;
+        let Complex { re: cos, im: sin } = self.unit();
         DMatrix::from_row_slice(2, 2, &[cos, -sin, sin, cos])
     }
 }

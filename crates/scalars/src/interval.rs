@@ -1,7 +1,7 @@
 //! [`Interval`]: a closed set of real numbers between two floating-point bounds.
 
 use crate::ScalarError;
-use crate::rounding::{self, larger, smaller};
+use crate::rounding::{larger, sub_up_tight};
 
 /// A closed interval of real numbers with floating-point bounds; the empty set and unbounded intervals are values.
 ///
@@ -24,6 +24,8 @@ use crate::rounding::{self, larger, smaller};
 /// # Ok::<(), scalars::ScalarError>(())
 /// ```
 #[derive(Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(into = "crate::serialization::Bounds", try_from = "crate::serialization::Bounds"))]
 pub struct Interval {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
@@ -31,29 +33,17 @@ pub struct Interval {
 
 impl Interval {
     /// The empty set.
-    pub const EMPTY: Self = Self {
-        lo: f64::NAN,
-        hi: f64::NAN,
-    };
+    pub const EMPTY: Self = Self { lo: f64::NAN, hi: f64::NAN };
     /// The whole real line.
-    pub const ENTIRE: Self = Self {
-        lo: f64::NEG_INFINITY,
-        hi: f64::INFINITY,
-    };
+    pub const ENTIRE: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
     /// `{ 0 }`.
     pub const ZERO: Self = Self { lo: 0.0, hi: 0.0 };
     /// `{ 1 }`.
     pub const ONE: Self = Self { lo: 1.0, hi: 1.0 };
     /// `pi`, between two neighbouring floating-point numbers.
-    pub const PI: Self = Self {
-        lo: std::f64::consts::PI,
-        hi: std::f64::consts::PI.next_up(),
-    };
+    pub const PI: Self = Self { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() };
     /// `pi / 2`, between two neighbouring floating-point numbers.
-    pub const FRAC_PI_2: Self = Self {
-        lo: std::f64::consts::FRAC_PI_2,
-        hi: std::f64::consts::FRAC_PI_2.next_up(),
-    };
+    pub const FRAC_PI_2: Self = Self { lo: std::f64::consts::FRAC_PI_2, hi: std::f64::consts::FRAC_PI_2.next_up() };
 
     /// `[lo, hi]`; `lo = -inf` and `hi = inf` are allowed.
     ///
@@ -76,17 +66,10 @@ impl Interval {
         if x.is_finite() {
             return Self { lo: x, hi: x };
         }
-        if x.is_nan() {
-            Self::ENTIRE
-        } else {
-            Self {
-                lo: x.min(f64::MAX),
-                hi: x.max(f64::MIN),
-            }
-        }
+        if x.is_nan() { Self::ENTIRE } else { Self { lo: x.min(f64::MAX), hi: x.max(f64::MIN) } }
     }
 
-    /// Bounds that a computation produced: `[lo, hi]` if they enclose something, else the empty set.
+    /// Bounds that a computation produced and that fulfil the representation.
     #[inline(always)]
     pub(crate) fn raw(lo: f64, hi: f64) -> Self {
         Self { lo, hi }
@@ -120,16 +103,18 @@ impl Interval {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// A member close to the midpoint: finite for every nonempty interval, without overflow; NaN for the empty set.
+    /// The midpoint rounded to nearest, a member of every nonempty interval; NaN for the empty set. It never overflows.
     ///
     /// Half-lines give the largest finite number on their side, the whole line gives 0.
     #[inline]
     #[must_use]
     pub fn mid(&self) -> f64 {
-        let mid = 0.5 * self.lo + 0.5 * self.hi;
-        if mid.is_finite() {
-            // Halving subnormal bounds may round out of the interval by one step.
-            return smaller(self.hi, larger(self.lo, mid));
+        let sum = self.lo + self.hi;
+        if sum.is_finite() {
+            return 0.5 * sum;
+        }
+        if self.is_bounded() {
+            return 0.5 * self.lo + 0.5 * self.hi;
         }
         if self.is_empty() {
             f64::NAN
@@ -142,7 +127,7 @@ impl Interval {
         }
     }
 
-    /// Upper bound of the distance of a member from [`mid`](Self::mid): `rad >= max(hi - mid, mid - lo)`; NaN for the empty set.
+    /// `max(hi - mid, mid - lo)` rounded up: `mid +- rad` contains the interval. NaN for the empty set.
     #[inline]
     #[must_use]
     pub fn rad(&self) -> f64 {
@@ -150,18 +135,14 @@ impl Interval {
             return f64::NAN;
         }
         let mid = self.mid();
-        rounding::sub_up(self.hi, mid).max(rounding::sub_up(mid, self.lo))
+        larger(sub_up_tight(self.hi, mid), sub_up_tight(mid, self.lo))
     }
 
-    /// Upper bound of `hi - lo`; NaN for the empty set.
+    /// `hi - lo` rounded up; NaN for the empty set.
     #[inline]
     #[must_use]
     pub fn width(&self) -> f64 {
-        if self.is_empty() {
-            f64::NAN
-        } else {
-            rounding::sub_up(self.hi, self.lo)
-        }
+        if self.is_empty() { f64::NAN } else { sub_up_tight(self.hi, self.lo) }
     }
 
     /// Magnitude `max { |x| : x in X }`, exact; NaN for the empty set.
@@ -198,10 +179,6 @@ impl PartialEq for Interval {
 impl std::fmt::Debug for Interval {
     /// The two bounds in shortest round-trip form.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        if self.is_empty() {
-            write!(f, "[empty]")
-        } else {
-            write!(f, "[{:?}, {:?}]", self.lo, self.hi)
-        }
+        if self.is_empty() { write!(f, "[empty]") } else { write!(f, "[{:?}, {:?}]", self.lo, self.hi) }
     }
 }

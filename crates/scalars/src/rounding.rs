@@ -14,7 +14,7 @@ pub const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 pub const ETA: f64 = f64::from_bits(1);
 
 /// `u (1 + 2u)`: the factor of the step outward.
-const PHI: f64 = UNIT_ROUNDOFF * (1.0 + f64::EPSILON);
+pub(crate) const PHI: f64 = UNIT_ROUNDOFF * (1.0 + f64::EPSILON);
 
 /// The larger of two, the second if the first is NaN: one machine instruction.
 #[inline(always)]
@@ -28,18 +28,24 @@ pub(crate) fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
+/// Length of the step outward from a finite result.
+#[inline(always)]
+pub(crate) fn outward(c: f64) -> f64 {
+    c.abs() * PHI + ETA
+}
+
 /// Lower bound from a result rounded to nearest; zero is stepped too, NaN stays NaN.
 #[inline(always)]
 pub(crate) fn step_down(c: f64) -> f64 {
     let c = smaller(f64::MAX, c);
-    c - (c.abs() * PHI + ETA)
+    c - outward(c)
 }
 
 /// Upper bound from a result rounded to nearest; zero is stepped too, NaN stays NaN.
 #[inline(always)]
 pub(crate) fn step_up(c: f64) -> f64 {
     let c = larger(f64::MIN, c);
-    c + (c.abs() * PHI + ETA)
+    c + outward(c)
 }
 
 /// As [`step_down`] for results whose zeros are exact: zero stays zero.
@@ -110,52 +116,51 @@ pub fn sub_down(a: f64, b: f64) -> f64 {
     add_down(a, -b)
 }
 
-/// Upper bound of `a b`. A zero factor gives zero, also beside an infinite one (which stands for an overflowed number).
+/// `ETA` unless a factor is zero, when the product is exact.
+#[inline(always)]
+fn underflow(a: f64, b: f64) -> f64 {
+    if (a != 0.0) & (b != 0.0) { ETA } else { 0.0 }
+}
+
+/// Upper bound of `a b`. A product with a zero factor is exact and stays zero; `0 inf` gives `inf`.
 #[inline]
 #[must_use]
 pub fn mul_up(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 {
-        return or(0.0 * (if a == 0.0 { b } else { a }).signum(), f64::INFINITY).max(0.0);
-    }
-    let c = a * b;
-    // A negative product that underflows is below zero; a positive one is at most ETA.
-    if c == 0.0 && c.is_sign_negative() {
-        0.0
-    } else {
-        up(c)
-    }
+    let c = larger(f64::MIN, a * b);
+    or(c + (c.abs() * PHI + underflow(a, b)), f64::INFINITY)
 }
 
-/// Lower bound of `a b`. A zero factor gives zero, also beside an infinite one (which stands for an overflowed number).
+/// Lower bound of `a b`. A product with a zero factor is exact and stays zero; `0 inf` gives `-inf`.
 #[inline]
 #[must_use]
 pub fn mul_down(a: f64, b: f64) -> f64 {
     -mul_up(-a, b)
 }
 
-/// Upper bound of `a / b`; `inf` for `b = 0`.
+/// Upper bound of `a / b`. A zero numerator stays zero; `b = 0` gives `inf`.
 #[inline]
 #[must_use]
 pub fn div_up(a: f64, b: f64) -> f64 {
-    if b == 0.0 || a.is_nan() || b.is_nan() {
-        return f64::INFINITY;
-    }
-    if a == 0.0 {
-        return 0.0;
-    }
-    let c = a / b;
-    if c == 0.0 && c.is_sign_negative() {
-        0.0
-    } else {
-        up(c)
-    }
+    let c = larger(f64::MIN, a / b);
+    let quotient = if b == 0.0 { f64::NAN } else { c };
+    or(quotient + (quotient.abs() * PHI + underflow(a, 1.0)), f64::INFINITY)
 }
 
-/// Lower bound of `a / b`; `-inf` for `b = 0`.
+/// Lower bound of `a / b`. A zero numerator stays zero; `b = 0` gives `-inf`.
 #[inline]
 #[must_use]
 pub fn div_down(a: f64, b: f64) -> f64 {
     -div_up(-a, b)
+}
+
+/// The least floating-point number at or above `a - b`, for finite bounds: exact differences are not stepped.
+#[inline]
+pub(crate) fn sub_up_tight(a: f64, b: f64) -> f64 {
+    let d = a - b;
+    // Error of the difference (Knuth's TwoSum), exact unless something overflows; then it is NaN or infinite.
+    let back = d - a;
+    let error = (a - (d - back)) - (b + back);
+    if error <= 0.0 { d } else { or(d.next_up(), f64::INFINITY) }
 }
 
 /// Upper bound of the square root; `inf` where there is none.
@@ -194,9 +199,5 @@ pub fn gamma_up(k: usize) -> f64 {
     }
     // `k as f64` rounds for k > 2^53, where k u >= 1 anyway.
     let ku = k as f64 * UNIT_ROUNDOFF;
-    if ku < 1.0 {
-        div_up(ku, sub_down(1.0, ku))
-    } else {
-        f64::INFINITY
-    }
+    if ku < 1.0 { div_up(ku, sub_down(1.0, ku)) } else { f64::INFINITY }
 }

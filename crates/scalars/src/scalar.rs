@@ -82,7 +82,8 @@ pub trait Scalar:
     fn min(self, other: Self) -> Self;
     /// The larger of two.
     fn max(self, other: Self) -> Self;
-    /// Stumpff function `C_k(s)`, `k = 0..=5`, see [`crate::stumpff`].
+    /// Stumpff function `C_k(s) = sum_j (-s)^j / (2j + k)!` of `s = theta^2`, `k <= 20`, smooth across zero; beyond, the whole
+    /// line (NaN over `f64`). See [`Interval::stumpff`].
     fn stumpff(self, k: usize) -> Self;
 }
 
@@ -137,11 +138,7 @@ impl Scalar for f64 {
     }
     #[inline]
     fn ratio(p: i64, q: i64) -> Self {
-        if q == 0 {
-            f64::NAN
-        } else {
-            p as f64 / q as f64
-        }
+        if q == 0 { f64::NAN } else { p as f64 / q as f64 }
     }
     #[inline]
     fn decimal(text: &str) -> Self {
@@ -165,7 +162,7 @@ impl Scalar for f64 {
     }
     #[inline]
     fn stumpff(self, k: usize) -> Self {
-        Interval::point(self).stumpff(k).mid()
+        crate::stumpff::stumpff_at(self, k)
     }
     forward! { f64:
         recip() -> Self, sqrt() -> Self, powi(n: i32) -> Self, exp() -> Self, ln() -> Self, sin() -> Self,

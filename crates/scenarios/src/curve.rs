@@ -25,7 +25,9 @@ impl Column {
 
     fn cell(&self, row: usize) -> String {
         match self {
-            Self::Numbers(cells) => cells.get(row).filter(|x| x.is_finite()).map(ToString::to_string).unwrap_or_default(),
+            Self::Numbers(cells) => {
+                cells.get(row).filter(|x| x.is_finite()).map(ToString::to_string).unwrap_or_default()
+            }
             Self::Labels(cells) => cells.get(row).cloned().unwrap_or_default(),
         }
     }

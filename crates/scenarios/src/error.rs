@@ -65,6 +65,9 @@ pub enum ScenarioError {
     /// A simulated step could not be proven to be one of the model.
     #[error("the simulated trajectory is not proven to be one of the model")]
     Truth(#[from] crate::truth::TruthError),
+    /// A group operation failed.
+    #[error("a group operation failed")]
+    Group(#[from] lie_groups::GroupError),
     /// A filter failed.
     #[error("a filter failed")]
     Estimator(#[from] estimators::EstimatorError),

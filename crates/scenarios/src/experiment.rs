@@ -24,7 +24,7 @@ pub trait Experiment: Sync {
 /// All experiments, in the order in which they are run and shown.
 #[must_use]
 pub fn all() -> Vec<&'static dyn Experiment> {
-    vec![]
+    vec![&crate::inzsmf::InZsmfExperiment, &crate::wifibot::WifibotExperiment]
 }
 
 /// A sign of life: `done` of `total` runs of `label` have ended.
@@ -111,7 +111,10 @@ impl Output {
     /// [`ScenarioError::Ragged`] or [`ScenarioError::Serialise`] from the single artefacts.
     pub fn files(&self) -> Result<Vec<File>, ScenarioError> {
         let file = |name: &str, text: String| File { name: name.to_owned(), text };
-        let timings = Results { rows: self.timings.clone(), ..Results::new(&*self.results.experiment, self.results.seed, self.results.runs) };
+        let timings = Results {
+            rows: self.timings.clone(),
+            ..Results::new(&*self.results.experiment, self.results.seed, self.results.runs)
+        };
         let mut files = vec![
             file("report.md", self.report.to_markdown()),
             file("results.json", self.results.to_json()?),

@@ -50,7 +50,8 @@ fn section(page: &Page<'_>) -> String {
         Err(reason) => format!("<h2 id=\"{name}\">{name}</h2>\n<p class=\"muted\">{}</p>\n", inline(reason)),
         Ok(output) => {
             let (seed, runs) = (output.results.seed, output.results.runs);
-            let links = ["report.md", "results.json", "timings.json"].map(|file| format!("<a href=\"{name}/{file}\">{file}</a>"));
+            let links = ["report.md", "results.json", "timings.json"]
+                .map(|file| format!("<a href=\"{name}/{file}\">{file}</a>"));
             format!(
                 "<h2 id=\"{name}\">{}</h2>\n<p class=\"muted\">{name}, seed {seed}, {runs} runs: {}</p>\n{}",
                 inline(&output.report.title),
@@ -98,7 +99,8 @@ fn inline(text: &str) -> String {
 fn paired(text: &str, mark: &str, tag: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
-    while let Some((before, (inside, after))) = rest.split_once(mark).and_then(|(b, a)| Some((b, a.split_once(mark)?))) {
+    while let Some((before, (inside, after))) = rest.split_once(mark).and_then(|(b, a)| Some((b, a.split_once(mark)?)))
+    {
         out += &format!("{before}<{tag}>{inside}</{tag}>");
         rest = after;
     }

@@ -66,7 +66,9 @@ impl Report {
             Block::Paragraph(text) => format!("{text}\n"),
             Block::List(items) => items.iter().map(|item| format!("- {item}\n")).collect(),
             Block::Table(table) => table.to_markdown(),
-            Block::Figure { name, caption } => format!("![{caption}]({name}.svg)\n\n*{caption}* (data: `{name}.csv`)\n"),
+            Block::Figure { name, caption } => {
+                format!("![{caption}]({name}.svg)\n\n*{caption}* (data: `{name}.csv`)\n")
+            }
         });
         std::iter::once(format!("# {}\n", self.title)).chain(blocks).collect::<Vec<_>>().join("\n")
     }
@@ -81,8 +83,7 @@ pub struct Table {
 
 impl Table {
     /// How to read the cells of [`Table::pivot`].
-    pub const LEGEND: &str =
-        "Cells: mean ± standard deviation over the runs; (the paper's number, same settings); [the paper's number, for reference].";
+    pub const LEGEND: &str = "Cells: mean ± standard deviation over the runs; (the paper's number, same settings); [the paper's number, for reference].";
 
     /// A table with a header and no rows.
     #[must_use]
@@ -184,7 +185,13 @@ mod tests {
 
     #[test]
     fn significant_digits() {
-        let cases = [(4.41341, "4.413"), (0.00012345, "0.0001234"), (12345.6, "12346"), (9.99996, "10.00"), (1.5e-9, "1.500e-9")];
+        let cases = [
+            (4.41341, "4.413"),
+            (0.00012345, "0.0001234"),
+            (12345.6, "12346"),
+            (9.99996, "10.00"),
+            (1.5e-9, "1.500e-9"),
+        ];
         for (value, text) in cases {
             assert_eq!(significant(value, 4), text);
         }
@@ -206,7 +213,8 @@ mod tests {
     fn markdown_of_all_blocks() {
         let mut report = Report::new("T");
         report.heading("H").paragraph("p").list(["a", "b"]).table(Table::new(["x"]).row(["1"])).figure("f", "cap");
-        let expected = "# T\n\n## H\n\np\n\n- a\n- b\n\n| x |\n|---|\n| 1 |\n\n![cap](f.svg)\n\n*cap* (data: `f.csv`)\n";
+        let expected =
+            "# T\n\n## H\n\np\n\n- a\n- b\n\n| x |\n|---|\n| 1 |\n\n![cap](f.svg)\n\n*cap* (data: `f.csv`)\n";
         assert_eq!(report.to_markdown(), expected);
     }
 }

@@ -7,7 +7,7 @@
 //!
 //! An output is the float `y` such that `y - h(x)`, enclosed in intervals, lies in the noise bounds.
 
-use scalars::{Interval, Scalar};
+use scalars::Interval;
 
 /// How often an output is moved inwards by one ulp before giving up.
 const MAX_NUDGES: usize = 64;

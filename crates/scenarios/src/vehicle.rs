@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 use lie_groups::{LieGroup, SE2};
 use nalgebra::{Vector2, Vector3};
 use rand::Rng;
-use scalars::{Interval, Scalar};
+use scalars::Interval;
 
 use crate::noise::{BoundedNoise, NoiseKind};
 use crate::truth::{Exact, TruthError, output_within, proven_within};
@@ -81,6 +81,15 @@ pub struct Truth {
     pub states: Vec<TruePose>,
     /// Outputs, m.
     pub outputs: Vec<[f64; 2]>,
+}
+
+impl Truth {
+    /// Largest width of the enclosure of a state, rad or m: how well the truth is known.
+    #[must_use]
+    pub fn widest(&self) -> f64 {
+        let widths = self.states.iter().flat_map(TruePose::coordinates).map(|coordinate| coordinate.width());
+        widths.fold(0.0, f64::max)
+    }
 }
 
 /// The vehicle's motion of one period at constant input, as floats and as a rigorous enclosure.

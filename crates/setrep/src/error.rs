@@ -161,11 +161,7 @@ pub enum SetError {
 impl SetError {
     /// `Ok` if `found == expected`.
     pub(crate) fn check_size(part: Part, expected: usize, found: usize) -> Result<(), Self> {
-        if expected == found {
-            Ok(())
-        } else {
-            Err(Self::Dimension { part, expected, found })
-        }
+        if expected == found { Ok(()) } else { Err(Self::Dimension { part, expected, found }) }
     }
 
     /// `Ok` if every entry of a column-major array with `rows` rows is finite.

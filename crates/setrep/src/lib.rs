@@ -27,29 +27,24 @@
 
 mod bounds;
 mod error;
-// mod interval_matrix;
+mod interval_matrix;
 mod interval_vector;
 mod matrix;
 mod matrix_nalgebra;
 mod ops;
 mod polytope;
 mod reduce;
-// mod wedge;
+mod wedge;
 mod workspace;
 mod zonotope;
 
 pub use error::{Part, SetError};
-// pub use interval_matrix::IntervalMatrix;
+pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
-// pub use ops::membership::{FACET_LIMIT, Membership};
-// pub use ops::volume::MINOR_LIMIT;
+pub use ops::membership::{FACET_LIMIT, Membership};
+pub use ops::volume::MINOR_LIMIT;
 pub use polytope::{Emptiness, HPolytope, MAX_FACES, VPolytope};
 pub use reduce::Reduction;
 pub use workspace::Workspace;
 pub use zonotope::Zonotope;
-
-/// Temporary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum Membership { ProvenInside, ProvenOutside, Undecided }

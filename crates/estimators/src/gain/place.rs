@@ -45,6 +45,10 @@ pub fn place(a: &DMatrix<f64>, c: &DMatrix<f64>, poles: &[Complex<f64>]) -> Resu
     if rank < n {
         return Err(EstimatorError::NotObservable { rank, states: n });
     }
+    if n == 0 {
+        pair_up(poles, 0, 0)?;
+        return Ok(DMatrix::zeros(0, c.nrows()));
+    }
     let outputs = Outputs::of(c)?;
     let poles = pair_up(poles, n, outputs.rank)?;
     let blocks = block_diagonal(&poles, n);

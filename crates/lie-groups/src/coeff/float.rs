@@ -1,37 +1,37 @@
 //! Coefficient functions over `f64`.
 //!
-//! Everything is built from the sine and cosine of the half angle `h = theta / 2` and `q = sin h / h`, because in these
-//! no formula cancels near 0: `sin t / t = q cos h`, `(1 - cos t) / t = q sin h`, `(1 - cos t) / t^2 = q^2 / 2`,
-//! `(t/2) cot(t/2) = cos h / q`. Two functions remain that cancel; they are entire (up to the factor `q`) and come from their Taylor series.
+//! All of them are products of five functions of the half angle `h = theta / 2`, none of which cancels near 0:
+//! `sin h`, `cos h`, `q = sin h / h`, `g = (h - sin h) / h^2` and the spherical Bessel function `j = (sin h - h cos h) / h^2`:
+//!
+//! | function | real part | imaginary part |
+//! |---|---|---|
+//! | `e^(i theta)` | `cos^2 h - sin^2 h` | `2 sin h cos h` |
+//! | `phi_1` | `q cos h` | `q sin h` |
+//! | `phi_2` | `q^2 / 2` | `(g + q (g + j)) / 2` |
+//! | `psi_1` | `cos h / q` | `-h` |
+//! | `psi_2` | `1/2` | `-j / (2 q)` |
+//!
+//! Up to a half turn `g` and `j` come from their Taylor series, and from these `q = 1 - h g`, `cos h = q - h j`, `sin h = h q`: no
+//! division, no call of the platform's sine, so the results are the same bits on every platform.
 
 use super::Coeff;
-use crate::{Complex, GroupError};
+use crate::{Complex, GroupError, Turn};
 
-/// `(t - sin t) / t^3 = sum_j (-t^2)^j / (2j + 3)!` for `|t| <= pi`.
-///
-/// The first omitted term is below `pi^28 / 31! < 1e-19`.
-#[inline]
-fn sine_gap(x: f64) -> f64 {
-    const C: [f64; 14] = series_coefficients(false);
-    even_odd(&C, x)
-}
+/// Number of terms of the two series. At `|h| = pi/2` the first term left out is below `(pi/2)^24 / 26! < 2e-22`.
+const TERMS: usize = 12;
 
-/// `(sin h / h - cos h) / h^2 = sum_j (-h^2)^j (2j + 2) / (2j + 3)!` for `|h| <= pi / 2`.
-///
-/// The first omitted term is below `(pi/2)^28 30 / 31! < 1e-26`.
-#[inline]
-fn bessel_gap(x: f64) -> f64 {
-    const C: [f64; 14] = series_coefficients(true);
-    even_odd(&C, x)
-}
+/// Coefficients `(-1)^j / (2j + 3)!` of `g / h` in `h^2`.
+const SINE_GAP: [f64; TERMS] = series(false);
 
-/// Signed coefficients `(-1)^j w_j / (2j + 3)!` with `w_j = 2j + 2` or 1, each correctly rounded up to one ulp.
-const fn series_coefficients(weighted: bool) -> [f64; 14] {
-    let mut c = [0.0; 14];
-    // (2j + 3)! as an integer is exact in u128 up to 33!.
+/// Coefficients `(-1)^j (2j + 2) / (2j + 3)!` of `j / h` in `h^2`.
+const BESSEL: [f64; TERMS] = series(true);
+
+/// `(-1)^j w_j / (2j + 3)!` with `w_j = 2j + 2` or 1.
+const fn series(weighted: bool) -> [f64; TERMS] {
+    let mut c = [0.0; TERMS];
     let mut factorial: u128 = 6;
     let mut j = 0;
-    while j < 14 {
+    while j < TERMS {
         let weight = if weighted { (2 * j + 2) as f64 } else { 1.0 };
         let sign = if j % 2 == 0 { 1.0 } else { -1.0 };
         c[j] = sign * weight / factorial as f64;
@@ -41,45 +41,79 @@ const fn series_coefficients(weighted: bool) -> [f64; 14] {
     c
 }
 
-/// `sum_j c_j x^j`, as two interleaved Horner chains in `x^2` so that they run in parallel.
+/// `sum_j c_j x^j` in two interleaved chains, which run in parallel.
 #[inline]
-fn even_odd(c: &[f64; 14], x: f64) -> f64 {
+fn polynomial(c: &[f64; TERMS], x: f64) -> f64 {
     let x2 = x * x;
-    let mut even = c[12];
-    let mut odd = c[13];
-    let mut j = 12;
-    while j > 0 {
-        j -= 2;
+    let (mut even, mut odd) = (c[TERMS - 2], c[TERMS - 1]);
+    for j in (0..TERMS - 2).step_by(2).rev() {
         even = even * x2 + c[j];
         odd = odd * x2 + c[j + 1];
     }
     even + x * odd
 }
 
-/// `(sin h, cos h, sin h / h)` of the half angle `h = theta / 2`.
+/// The five functions of the half angle that all coefficients are made of.
+struct HalfAngle {
+    sin: f64,
+    cos: f64,
+    /// `sin h / h`.
+    q: f64,
+    /// `(h - sin h) / h^2`.
+    gap: f64,
+    /// `(sin h - h cos h) / h^2`.
+    bessel: f64,
+}
+
+impl HalfAngle {
+    #[inline]
+    fn of(theta: f64) -> Self {
+        let h = 0.5 * theta;
+        if theta.abs() <= std::f64::consts::PI {
+            let x = h * h;
+            let (gap, bessel) = (polynomial(&SINE_GAP, x), polynomial(&BESSEL, x));
+            let q = 1.0 - x * gap;
+            Self { sin: h * q, cos: q - x * bessel, q, gap: h * gap, bessel: h * bessel }
+        } else {
+            let (sin, cos) = h.sin_cos();
+            let q = sin / h;
+            Self { sin, cos, q, gap: (1.0 - q) / h, bessel: (q - cos) / h }
+        }
+    }
+
+    #[inline]
+    fn phi1(&self) -> Complex<f64> {
+        Complex::new(self.q * self.cos, self.q * self.sin)
+    }
+}
+
+/// `z` brought back to the unit circle to first order.
 #[inline]
-fn half_angle(theta: f64) -> (f64, f64, f64) {
-    let h = 0.5 * theta;
-    let (sin, cos) = h.sin_cos();
-    let q = if h == 0.0 { 1.0 } else { sin / h };
-    (sin, cos, q)
+fn near_unit(z: Complex<f64>) -> Turn<f64> {
+    let scale = 1.5 - 0.5 * (z.re * z.re + z.im * z.im);
+    Turn::new(Complex::new(z.re * scale, z.im * scale), ())
 }
 
 impl Coeff for f64 {
+    type Arc = ();
+
     #[inline]
-    fn exp_phi1(theta: f64) -> (Complex<f64>, Complex<f64>) {
-        let (sin, cos, q) = half_angle(theta);
-        let twice_sin = 2.0 * sin;
-        (Complex::new(1.0 - twice_sin * sin, twice_sin * cos), Complex::new(q * cos, q * sin))
+    fn exp_phi1(theta: f64) -> (Turn<f64>, Complex<f64>) {
+        let half = HalfAngle::of(theta);
+        let HalfAngle { sin, cos, .. } = half;
+        (near_unit(Complex::new((cos - sin) * (cos + sin), 2.0 * sin * cos)), half.phi1())
+    }
+
+    #[inline]
+    fn turn(theta: f64) -> Turn<f64> {
+        Self::exp_phi1(theta).0
     }
 
     #[inline]
     fn phi1_phi2(theta: f64) -> (Complex<f64>, Complex<f64>) {
-        let (sin, cos, q) = half_angle(theta);
-        let phi1 = Complex::new(q * cos, q * sin);
-        let gap =
-            if theta.abs() <= std::f64::consts::PI { theta * sine_gap(theta * theta) } else { (1.0 - phi1.re) / theta };
-        (phi1, Complex::new(0.5 * q * q, gap))
+        let half = HalfAngle::of(theta);
+        let HalfAngle { q, gap, bessel, .. } = half;
+        (half.phi1(), Complex::new(0.5 * q * q, 0.5 * (gap + q * (gap + bessel))))
     }
 
     #[inline]
@@ -89,47 +123,43 @@ impl Coeff for f64 {
         if theta.abs() > std::f64::consts::TAU {
             return Err(GroupError::FullTurn { theta_lo_rad: theta, theta_hi_rad: theta });
         }
-        let h = 0.5 * theta;
-        let (_, cos, q) = half_angle(theta);
-        let (cot, gap) = if theta.abs() <= std::f64::consts::PI {
-            let half_recip = 0.5 / q;
-            (2.0 * cos * half_recip, h * bessel_gap(h * h) * half_recip)
-        } else {
-            let cot = cos / q;
-            (cot, (1.0 - cot) / theta)
-        };
-        Ok((Complex::new(cot, -h), Complex::new(0.5, -gap)))
+        let HalfAngle { cos, q, bessel, .. } = HalfAngle::of(theta);
+        let recip = 1.0 / q;
+        Ok((Complex::new(cos * recip, -0.5 * theta), Complex::new(0.5, -0.5 * bessel * recip)))
     }
 
     #[inline]
-    fn log_psi1(unit: Complex<f64>) -> Result<(f64, Complex<f64>), GroupError> {
-        let theta = Self::angle(unit)?;
+    fn log_psi1(turn: &Turn<f64>) -> Result<(f64, Complex<f64>), GroupError> {
+        let theta = Self::angle(turn)?;
+        let Complex { re: cos, im: sin } = turn.unit();
         // cot(t/2) = (1 + cos t) / sin t = sin t / (1 - cos t): take the form whose sum does not cancel.
-        let (num, den) = if unit.re >= 0.0 { (1.0 + unit.re, unit.im) } else { (unit.im, 1.0 - unit.re) };
-        let h = 0.5 * theta;
+        let (num, den) = if cos >= 0.0 { (1.0 + cos, sin) } else { (sin, 1.0 - cos) };
         let cot = if den == 0.0 { 1.0 } else { theta * (0.5 * num) / den };
-        Ok((theta, Complex::new(cot, -h)))
+        Ok((theta, Complex::new(cot, -0.5 * theta)))
     }
 
     #[inline]
-    fn angle(unit: Complex<f64>) -> Result<f64, GroupError> {
-        let theta = unit.im.atan2(unit.re);
-        // Finite cosine and sine give a finite angle; an infinite one would pass as a multiple of pi/4.
-        if !(unit.re.abs() + unit.im.abs()).is_finite() {
-            unit.re.check_finite(0)?;
-            unit.im.check_finite(1)?;
+    fn angle(turn: &Turn<f64>) -> Result<f64, GroupError> {
+        let Complex { re, im } = turn.unit();
+        // The angle of an infinite direction would pass as a multiple of pi/4.
+        if !(re.abs() + im.abs()).is_finite() {
+            return Err(GroupError::NotFinite { index: 0 });
         }
-        Ok(theta)
+        Ok(im.atan2(re))
     }
 
     #[inline]
-    fn near_unit(z: Complex<f64>) -> Complex<f64> {
-        let scale = 1.5 - 0.5 * (z.re * z.re + z.im * z.im);
-        Complex::new(z.re * scale, z.im * scale)
+    fn product(a: &Turn<f64>, b: &Turn<f64>) -> Turn<f64> {
+        near_unit(a.unit() * b.unit())
     }
 
     #[inline]
-    fn unit(z: Complex<f64>) -> Result<Complex<f64>, GroupError> {
+    fn reverse(turn: &Turn<f64>) -> Turn<f64> {
+        Turn::new(turn.unit().conj(), ())
+    }
+
+    #[inline]
+    fn direction(z: Complex<f64>) -> Result<Turn<f64>, GroupError> {
         z.re.check_finite(0)?;
         z.im.check_finite(1)?;
         let largest = z.re.abs().max(z.im.abs());
@@ -139,7 +169,7 @@ impl Coeff for f64 {
         // Scaled first: the norm of subnormal or huge parts would lose digits or overflow.
         let (re, im) = (z.re / largest, z.im / largest);
         let norm = re.hypot(im);
-        Ok(Complex::new(re / norm, im / norm))
+        Ok(Turn::new(Complex::new(re / norm, im / norm), ()))
     }
 
     #[inline]

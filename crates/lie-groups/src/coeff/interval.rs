@@ -1,49 +1,111 @@
 //! Coefficient functions over intervals: rigorous ranges over boxes of angles.
 //!
-//! On `[0, 4.49]` (`[0, 2 pi)` for `psi`) every real and imaginary part rises up to one known angle and falls after it, so its range over a
-//! box is read off its values at the two ends. Farther out the natural forms, which divide by an angle above 4.49, are tight enough.
-//! Negative angles follow by symmetry: real parts are even, imaginary parts odd.
-//! The values at the ends use the half-angle formulas of the `f64` version in interval arithmetic.
+//! Negative angles give conjugates. On `0 <= t <= 4.49` (`t < 2 pi` for `psi`) every real part falls, and every imaginary part rises up to one known
+//! angle and falls after it, so the range over a box is read off the values at its two ends. Farther out the natural
+//! forms, which divide by an angle above 4.49, are tight enough.
+//! The values at the ends are built from the half angle, as those over `f64`, in interval arithmetic.
 
 use scalars::{Interval, Scalar};
 
-use super::Coeff;
-use super::unit_angle::unit_angle;
-use crate::{Complex, GroupError};
+use super::{Coeff, arc};
+use crate::{Complex, GroupError, Turn};
 
-/// Up to here `sin t / t` falls (its first trough is at `tan t = t`, 4.493..).
-const NEAR: f64 = 4.49;
+/// A coefficient function of `theta`, described on `t = |theta|`.
+struct Curve {
+    /// Value at one angle `0 <= t <= near`.
+    at: fn(f64) -> Complex<Interval>,
+    /// Up to here the real part falls and the imaginary part has one peak.
+    near: f64,
+    /// The peak of the imaginary part.
+    peak: Peak,
+    /// Range over angles `t >= near`.
+    far: fn(Interval) -> Complex<Interval>,
+}
 
-/// A function on `[0, NEAR]` that rises up to an angle in `[from, to]`, where it is at most `value`, and falls after it.
+/// Where a function that rises and then falls turns: an angle in `[from, to]`, the value there at most `value`.
 struct Peak {
     from: f64,
     to: f64,
     value: f64,
 }
 
-/// Falls from the start.
-const FALLS: Peak = Peak { from: 0.0, to: 0.0, value: f64::INFINITY };
-/// `(1 - cos t) / t`: derivative zero at `tan(t/2) = t`, 2.33112237041442261.., value 0.724611353776708475...
-const VERSINE: Peak = Peak { from: 2.331122370414422, to: 2.331122370414423, value: 0.7246113537767085 };
-/// `(t - sin t) / t^2`: peak `1 / pi` at `pi`.
-const SINE_GAP: Peak =
-    Peak { from: std::f64::consts::PI, to: std::f64::consts::PI.next_up(), value: std::f64::consts::FRAC_1_PI };
+/// `sin t / t` falls up to its first trough at `tan t = t`, 4.493.., the other parts of `phi_1` and `phi_2` up to `2 pi`, once past their peaks.
+const NEAR: f64 = 4.49;
 
-impl Peak {
-    /// Range over `[lo, hi]` of the function with the given values at `lo` and `hi`.
-    fn range(&self, lo: f64, hi: f64, at_lo: Interval, at_hi: Interval) -> Interval {
-        let ends = at_lo.hull(at_hi);
-        if hi <= self.from || lo >= self.to { ends } else { ends.hull(Interval::point(self.value)) }
+const PHI1: Curve = Curve {
+    at: phi1_at,
+    near: NEAR,
+    // (1 - cos t) / t turns at tan(t/2) = t, 2.33112237041442261.., where it is 0.724611353776708475..
+    peak: Peak { from: 2.331122370414422, to: 2.331122370414423, value: 0.7246113537767085 },
+    far: phi1_far,
+};
+
+const PHI2: Curve = Curve {
+    at: phi2_at,
+    near: NEAR,
+    // (t - sin t) / t^2 turns at pi, where it is 1 / pi; FRAC_1_PI lies above it.
+    peak: Peak { from: std::f64::consts::PI, to: std::f64::consts::PI.next_up(), value: std::f64::consts::FRAC_1_PI },
+    far: phi2_far,
+};
+
+/// `psi_1` and `psi_2` fall in both parts all the way to the pole, beyond which they are not asked for.
+const PSI1: Curve = Curve { at: psi1_at, near: f64::INFINITY, peak: FALLS, far: nowhere };
+const PSI2: Curve = Curve { at: psi2_at, near: f64::INFINITY, peak: FALLS, far: nowhere };
+const FALLS: Peak = Peak { from: 0.0, to: 0.0, value: f64::INFINITY };
+
+fn nowhere(_t: Interval) -> Complex<Interval> {
+    Complex::new(Interval::ENTIRE, Interval::ENTIRE)
+}
+
+fn hull(a: Complex<Interval>, b: Complex<Interval>) -> Complex<Interval> {
+    Complex::new(a.re.hull(b.re), a.im.hull(b.im))
+}
+
+impl Curve {
+    /// Range over any box of angles; empty for the empty one.
+    fn range(&self, theta: Interval) -> Complex<Interval> {
+        if theta.is_empty() {
+            Complex::new(theta, theta)
+        } else if theta.lo() >= 0.0 {
+            self.positive(theta)
+        } else if theta.hi() <= 0.0 {
+            self.positive(-theta).conj()
+        } else {
+            let left = self.positive(Interval::lit(0.0, -theta.lo()));
+            hull(left.conj(), self.positive(Interval::lit(0.0, theta.hi())))
+        }
+    }
+
+    /// Range over a box of angles `t >= 0`.
+    fn positive(&self, t: Interval) -> Complex<Interval> {
+        if t.lo() >= self.near {
+            return (self.far)(t);
+        }
+        let (lo, hi) = (t.lo(), t.hi().min(self.near));
+        let mut range = (self.at)(lo);
+        if hi > lo {
+            range = hull(range, (self.at)(hi));
+        }
+        if lo < self.peak.to && hi > self.peak.from {
+            range.im = range.im.hull(Interval::point(self.peak.value));
+        }
+        if t.hi() > self.near {
+            range = hull(range, (self.far)(Interval::lit(self.near, t.hi())));
+        }
+        range
     }
 }
 
-/// Divisors `(2j + 4)(2j + 5)`: `t - sin t = t^3 / 6 (1 - t^2/20 (1 - t^2/42 (..)))`.
-const SINE_GAP_DIVISORS: [f64; 11] = [20.0, 42.0, 72.0, 110.0, 156.0, 210.0, 272.0, 342.0, 420.0, 506.0, 600.0];
+/// `(sin h, cos h, sin h / h)` at `h = t / 2 > 0`.
+fn half_angle(t: f64) -> (Interval, Interval, Interval) {
+    let h = Interval::point(t).scale(0.5);
+    let (sin, cos) = h.sin_cos();
+    // 1 - h^2/6 <= sin h / h <= 1, and h^2 < 2^-54 in the first case.
+    let q = if t < f64::EPSILON.sqrt() { Interval::lit(1.0 - 0.5 * f64::EPSILON, 1.0) } else { sin / h };
+    (sin, cos, q)
+}
 
-/// Divisors `(2j + 2)(2j + 5)`: `sin h / h - cos h = h^2 / 3 (1 - h^2/10 (1 - h^2/28 (..)))`.
-const BESSEL_GAP_DIVISORS: [f64; 9] = [10.0, 28.0, 54.0, 88.0, 130.0, 180.0, 238.0, 304.0, 378.0];
-
-/// Angles up to here take the series, above it the closed forms, which then lose less than a digit.
+/// Up to this angle the two parts that cancel near 0 take their series; above it the closed forms lose less than a digit.
 const SERIES: f64 = 2.0;
 
 /// `1 - x/d_0 (1 - x/d_1 (..))` for `0 <= x <= d_0`: an alternating series of falling terms, so the part left out, as any
@@ -53,106 +115,79 @@ fn alternating(x: Interval, divisors: &[f64]) -> Interval {
     divisors.iter().rev().fold(unit, |inner, &d| Interval::ONE - x / Interval::point(d) * inner)
 }
 
-/// `(sin h, cos h, sin h / h)` at `h = t / 2 >= 0`.
-fn half_angle(t: f64) -> (Interval, Interval, Interval) {
-    let h = Interval::point(t).scale(0.5);
-    let (sin, cos) = h.sin_cos();
-    let q = if t == 0.0 {
-        Interval::ONE
-    } else if t < f64::EPSILON.sqrt() {
-        // 1 - h^2/6 <= sin h / h <= 1 with h^2 < 2^-54.
-        Interval::lit(1.0 - 0.5 * f64::EPSILON, 1.0)
-    } else {
-        sin / h
-    };
-    (sin, cos, q)
-}
-
-/// Real and imaginary parts of `phi_1(i t)` and `phi_2(i t)`: values or ranges.
-type Phi = [Interval; 4];
-
-/// Values at one angle `0 <= t <= NEAR`.
-fn phi_at(t: f64) -> Phi {
+fn phi1_at(t: f64) -> Complex<Interval> {
+    if t == 0.0 {
+        return Complex::new(Interval::ONE, Interval::ZERO);
+    }
     let (sin, cos, q) = half_angle(t);
-    let sinc = q * cos;
-    let angle = Interval::point(t);
-    let gap = if t <= SERIES {
-        angle * alternating(angle.sqr(), &SINE_GAP_DIVISORS) / Interval::point(6.0)
-    } else {
-        (Interval::ONE - sinc) / angle
-    };
-    [sinc, q * sin, q.sqr().scale(0.5), gap]
+    Complex::new(q * cos, q * sin)
 }
 
-/// Ranges over angles `t >= NEAR`.
-fn phi_far(t: Interval) -> Phi {
+fn phi1_far(t: Interval) -> Complex<Interval> {
     let h = t.scale(0.5);
-    let half_sin = h.sin();
-    let sinc = t.sin() / t;
-    [sinc, half_sin.sqr() / h, (half_sin / h).sqr().scale(0.5), (Interval::ONE - sinc) / t]
+    Complex::new(t.sin() / t, h.sin().sqr() / h)
 }
 
-/// Ranges over `0 <= t`.
-fn phi_positive(t: Interval) -> Phi {
-    if t.lo() >= NEAR {
-        return phi_far(t);
+fn phi2_at(t: f64) -> Complex<Interval> {
+    // t - sin t = t^3 / 6 (1 - t^2/20 (1 - t^2/42 (..))), divisors (2j + 4)(2j + 5).
+    const DIVISORS: [f64; 11] = [20.0, 42.0, 72.0, 110.0, 156.0, 210.0, 272.0, 342.0, 420.0, 506.0, 600.0];
+    if t == 0.0 {
+        return Complex::new(Interval::point(0.5), Interval::ZERO);
     }
-    let (lo, hi) = (t.lo(), t.hi().min(NEAR));
-    let at_lo = phi_at(lo);
-    let at_hi = if lo == hi { at_lo } else { phi_at(hi) };
-    let near = std::array::from_fn(|k| [FALLS, VERSINE, FALLS, SINE_GAP][k].range(lo, hi, at_lo[k], at_hi[k]));
-    if t.hi() <= NEAR {
-        return near;
-    }
-    let far = phi_far(Interval::lit(NEAR, t.hi()));
-    std::array::from_fn(|k| near[k].hull(far[k]))
-}
-
-/// Range over any angles of functions given over `t >= 0`, the even ones and odd ones taking turns.
-fn by_symmetry<const K: usize>(t: Interval, positive: impl Fn(Interval) -> [Interval; K]) -> [Interval; K] {
-    let mirror = |values: [Interval; K]| std::array::from_fn(|k| if k % 2 == 0 { values[k] } else { -values[k] });
-    if t.is_empty() {
-        [Interval::EMPTY; K]
-    } else if t.lo() >= 0.0 {
-        positive(t)
-    } else if t.hi() <= 0.0 {
-        mirror(positive(-t))
-    } else {
-        let right = positive(Interval::lit(0.0, t.hi()));
-        let left = mirror(positive(Interval::lit(0.0, -t.lo())));
-        std::array::from_fn(|k| left[k].hull(right[k]))
-    }
-}
-
-/// `(t/2) cot(t/2)` and `(1 - (t/2) cot(t/2)) / t` at `0 <= t < 2 pi`.
-fn psi_at(t: f64) -> [Interval; 2] {
     let (_, cos, q) = half_angle(t);
-    let cot = cos / q;
     let angle = Interval::point(t);
     let gap = if t <= SERIES {
-        angle * alternating(angle.sqr().scale(0.25), &BESSEL_GAP_DIVISORS) / q.scale(12.0)
+        angle * alternating(angle.sqr(), &DIVISORS) / Interval::point(6.0)
     } else {
-        (Interval::ONE - cot) / angle
+        (Interval::ONE - q * cos) / angle
     };
-    [cot, gap]
+    Complex::new(q.sqr().scale(0.5), gap)
 }
 
-/// Ranges over `0 <= t < 2 pi`, where the first function falls and the second one rises.
-fn psi_positive(t: Interval) -> [Interval; 2] {
-    let at_lo = psi_at(t.lo());
-    let at_hi = if t.lo() == t.hi() { at_lo } else { psi_at(t.hi()) };
-    std::array::from_fn(|k| at_lo[k].hull(at_hi[k]))
+fn phi2_far(t: Interval) -> Complex<Interval> {
+    let h = t.scale(0.5);
+    Complex::new((h.sin() / h).sqr().scale(0.5), (Interval::ONE - t.sin() / t) / t)
+}
+
+fn psi1_at(t: f64) -> Complex<Interval> {
+    let imaginary = Interval::point(t).scale(-0.5);
+    if t == 0.0 {
+        return Complex::new(Interval::ONE, imaginary);
+    }
+    let (_, cos, q) = half_angle(t);
+    Complex::new(cos / q, imaginary)
+}
+
+fn psi2_at(t: f64) -> Complex<Interval> {
+    // sin h - h cos h = h^3 / 3 (1 - h^2/10 (1 - h^2/28 (..))), divisors (2j + 2)(2j + 5).
+    const DIVISORS: [f64; 9] = [10.0, 28.0, 54.0, 88.0, 130.0, 180.0, 238.0, 304.0, 378.0];
+    let half = Interval::point(0.5);
+    if t == 0.0 {
+        return Complex::new(half, Interval::ZERO);
+    }
+    let (_, cos, q) = half_angle(t);
+    let angle = Interval::point(t);
+    let gap = if t <= SERIES {
+        angle * alternating(angle.sqr().scale(0.25), &DIVISORS) / q.scale(12.0)
+    } else {
+        (Interval::ONE - cos / q) / angle
+    };
+    Complex::new(half, -gap)
 }
 
 impl Coeff for Interval {
-    fn exp_phi1(theta: Interval) -> (Complex<Interval>, Complex<Interval>) {
-        let [sinc, versine, ..] = by_symmetry(theta, phi_positive);
-        (Self::cis(theta), Complex::new(sinc, versine))
+    type Arc = Interval;
+
+    fn exp_phi1(theta: Interval) -> (Turn<Interval>, Complex<Interval>) {
+        (arc::turn(theta), PHI1.range(theta))
+    }
+
+    fn turn(theta: Interval) -> Turn<Interval> {
+        arc::turn(theta)
     }
 
     fn phi1_phi2(theta: Interval) -> (Complex<Interval>, Complex<Interval>) {
-        let [sinc, versine, half, gap] = by_symmetry(theta, phi_positive);
-        (Complex::new(sinc, versine), Complex::new(half, gap))
+        (PHI1.range(theta), PHI2.range(theta))
     }
 
     fn psi1_psi2(theta: Interval) -> Result<(Complex<Interval>, Complex<Interval>), GroupError> {
@@ -161,29 +196,28 @@ impl Coeff for Interval {
         if theta.mag() > std::f64::consts::TAU {
             return Err(GroupError::FullTurn { theta_lo_rad: theta.lo(), theta_hi_rad: theta.hi() });
         }
-        let [cot, gap] = by_symmetry(theta, psi_positive);
-        Ok((Complex::new(cot, theta.scale(-0.5)), Complex::new(Interval::point(0.5), -gap)))
+        Ok((PSI1.range(theta), PSI2.range(theta)))
     }
 
-    fn log_psi1(unit: Complex<Interval>) -> Result<(Interval, Complex<Interval>), GroupError> {
-        let theta = unit_angle(unit)?;
-        let [cot, _] = by_symmetry(theta, psi_positive);
-        Ok((theta, Complex::new(cot, theta.scale(-0.5))))
+    fn log_psi1(turn: &Turn<Interval>) -> Result<(Interval, Complex<Interval>), GroupError> {
+        let theta = arc::principal(turn.arc())?;
+        Ok((theta, PSI1.range(theta)))
     }
 
-    fn angle(unit: Complex<Interval>) -> Result<Interval, GroupError> {
-        unit_angle(unit)
+    fn angle(turn: &Turn<Interval>) -> Result<Interval, GroupError> {
+        arc::principal(turn.arc())
     }
 
-    fn near_unit(z: Complex<Interval>) -> Complex<Interval> {
-        let unit = Interval::lit(-1.0, 1.0);
-        Complex::new(z.re.intersection(unit), z.im.intersection(unit))
+    fn product(a: &Turn<Interval>, b: &Turn<Interval>) -> Turn<Interval> {
+        arc::compose(a.arc(), b.arc())
     }
 
-    fn unit(z: Complex<Interval>) -> Result<Complex<Interval>, GroupError> {
-        z.re.check_finite(0)?;
-        z.im.check_finite(1)?;
-        if (z.re.sqr() + z.im.sqr()).contains(1.0) { Ok(Self::near_unit(z)) } else { Err(GroupError::NotARotation) }
+    fn reverse(turn: &Turn<Interval>) -> Turn<Interval> {
+        Turn::new(turn.unit().conj(), -turn.arc())
+    }
+
+    fn direction(z: Complex<Interval>) -> Result<Turn<Interval>, GroupError> {
+        arc::in_box(z)
     }
 
     fn check_finite(self, index: usize) -> Result<(), GroupError> {

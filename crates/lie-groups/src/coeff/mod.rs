@@ -1,12 +1,14 @@
 //! The few functions of an angle that a plane group needs beyond arithmetic.
 
+mod arc;
 mod float;
 mod interval;
-mod unit_angle;
+
+use std::fmt::Debug;
 
 use scalars::Scalar;
 
-use crate::{Complex, GroupError};
+use crate::{Complex, GroupError, Turn};
 
 /// A scalar with the coefficient functions of exponentials and Jacobians.
 ///
@@ -22,21 +24,20 @@ use crate::{Complex, GroupError};
 /// | `psi_1(i t)` | `(t/2) cot(t/2)` | `-t/2` |
 /// | `psi_2(i t)` | `1/2` | `-(1 - (t/2) cot(t/2)) / t` |
 ///
-/// None of them has a singularity at 0. A group whose frame also scales uses the same functions at `z = s + i theta`.
+/// None of them has a singularity at 0. Implemented for `f64` and `Interval`, and only for these. A group whose frame also scales uses the same functions at `z = s + i theta`.
 ///
 /// **Guarantee:** over `f64` at most a few units in the last place of error relative to the modulus, at every scale; over
 /// `Interval` supersets of the range over the box, within a few units in the last place for a point.
 /// **Source:** Iserles, Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 2000 (the functions `phi_k`).
 pub trait Coeff: Scalar {
-    /// `(e^(i theta), phi_1(i theta))`, valid for every angle.
-    fn exp_phi1(theta: Self) -> (Complex<Self>, Complex<Self>);
+    /// What a rotation keeps beside its cosine and sine: nothing over `f64`, the range of its angle over `Interval`.
+    type Arc: Copy + Debug + PartialEq;
 
-    /// `e^(i theta)`, valid for every angle.
-    #[inline]
-    fn cis(theta: Self) -> Complex<Self> {
-        let (sin, cos) = theta.sin_cos();
-        Complex::new(cos, sin)
-    }
+    /// The rotation `e^(i theta)` and `phi_1(i theta)`, valid for every angle.
+    fn exp_phi1(theta: Self) -> (Turn<Self>, Complex<Self>);
+
+    /// The rotation `e^(i theta)`, valid for every angle.
+    fn turn(theta: Self) -> Turn<Self>;
 
     /// `(phi_1(i theta), phi_2(i theta))`, valid for every angle.
     fn phi1_phi2(theta: Self) -> (Complex<Self>, Complex<Self>);
@@ -47,28 +48,31 @@ pub trait Coeff: Scalar {
     /// [`GroupError::FullTurn`] if the angle can reach the pole at `2 pi`, [`GroupError::NotFinite`] for NaN.
     fn psi1_psi2(theta: Self) -> Result<(Complex<Self>, Complex<Self>), GroupError>;
 
-    /// Principal angle of a unit complex number, and `psi_1(i theta)` of it.
+    /// Principal angle of a rotation, and `psi_1(i theta)` of it.
     ///
     /// # Errors
-    /// [`GroupError::NotFinite`] for NaN, infinite, empty or unbounded parts; over intervals [`GroupError::HalfTurn`] if the box contains -1
-    /// and [`GroupError::NotARotation`] if it is proven to miss the unit circle.
-    fn log_psi1(unit: Complex<Self>) -> Result<(Self, Complex<Self>), GroupError>;
+    /// [`GroupError::NotFinite`] for NaN, infinite, empty or unbounded rotations; over intervals [`GroupError::HalfTurn`] if the angle can
+    /// reach `pi`.
+    fn log_psi1(turn: &Turn<Self>) -> Result<(Self, Complex<Self>), GroupError>;
 
-    /// Principal angle of a unit complex number: the first part of [`log_psi1`](Self::log_psi1), with the same errors.
-    fn angle(unit: Complex<Self>) -> Result<Self, GroupError>;
+    /// Principal angle of a rotation: the first part of [`log_psi1`](Self::log_psi1), with the same errors.
+    fn angle(turn: &Turn<Self>) -> Result<Self, GroupError>;
 
-    /// A product of unit complex numbers brought back to the unit circle to first order in the rounding error.
+    /// Product of two rotations.
     ///
-    /// Over `f64`: `z (3 - |z|^2) / 2`, which squares the deviation `|z| - 1`, so that products of any length stay within a few units
-    /// in the last place of the circle. Over intervals: intersection with `[-1, 1]^2`.
-    fn near_unit(z: Complex<Self>) -> Complex<Self>;
+    /// Over `f64` the product `z` is brought back to the unit circle to first order, `z (3 - |z|^2) / 2`: this squares the deviation `|z| - 1`,
+    /// so that products of any length stay within a few units in the last place of the circle. Over intervals angles add.
+    fn product(a: &Turn<Self>, b: &Turn<Self>) -> Turn<Self>;
 
-    /// The rotation nearest to `z`: `z / |z|` over `f64`, the part of the box in `[-1, 1]^2` over intervals.
+    /// Inverse rotation, exact.
+    fn reverse(turn: &Turn<Self>) -> Turn<Self>;
+
+    /// The rotation in the direction of `z`: `z / |z|` over `f64`, all rotations with cosine and sine in the box over intervals.
     ///
     /// # Errors
-    /// [`GroupError::NotFinite`] for NaN, infinite, empty or unbounded parts, [`GroupError::NotARotation`] for `z = 0` or a box proven to
-    /// miss the unit circle.
-    fn unit(z: Complex<Self>) -> Result<Complex<Self>, GroupError>;
+    /// [`GroupError::NotFinite`] for NaN, infinite, empty or unbounded parts, [`GroupError::NotARotation`] for `z = 0` or a box
+    /// that misses the unit circle.
+    fn direction(z: Complex<Self>) -> Result<Turn<Self>, GroupError>;
 
     /// Errors unless the number is finite (over intervals: bounded and not empty).
     ///

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 #[must_use]
 pub fn locate(root: &Path, set: &str, stem: &str, endings: &[&str]) -> Option<PathBuf> {
     let folders = [root.join("data").join(set), root.join(set), root.to_path_buf()];
-    let files = folders.iter().flat_map(|folder| endings.iter().map(move |ending| folder.join(format!("{stem}.{ending}"))));
+    let files =
+        folders.iter().flat_map(|folder| endings.iter().map(move |ending| folder.join(format!("{stem}.{ending}"))));
     files.into_iter().find(|file| file.is_file())
 }

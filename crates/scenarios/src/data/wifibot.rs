@@ -46,7 +46,9 @@ pub fn parse(text: &str) -> Result<Vec<Sample>, LogError> {
     let mut samples: Vec<Sample> = Vec::new();
     let lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
     let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#')).peekable();
-    if let Some((line, cells)) = lines.next_if(|(_, line)| line.starts_with(|c: char| c.is_ascii_alphabetic() || c == '"')) {
+    if let Some((line, cells)) =
+        lines.next_if(|(_, line)| line.starts_with(|c: char| c.is_ascii_alphabetic() || c == '"'))
+    {
         check_header(line, &split(cells))?;
     }
     for (line, cells) in lines {
@@ -81,7 +83,9 @@ fn split(line: &str) -> Vec<&str> {
 fn check_header(line: usize, cells: &[&str]) -> Result<(), LogError> {
     check_count(line, cells)?;
     let wrong = cells.iter().zip(COLUMNS).position(|(cell, name)| cell.trim_matches('"') != name);
-    wrong.map_or(Ok(()), |k| Err(LogError::Header { line, column: k + 1, found: cells[k].to_owned(), expected: COLUMNS[k] }))
+    wrong.map_or(Ok(()), |k| {
+        Err(LogError::Header { line, column: k + 1, found: cells[k].to_owned(), expected: COLUMNS[k] })
+    })
 }
 
 fn check_count(line: usize, cells: &[&str]) -> Result<(), LogError> {

@@ -40,13 +40,40 @@ pub enum PublishedGain {
     Poles(Matrix3x2<f64>),
 }
 
+/// The axes of the position box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoxFrame {
+    /// Those of the filter's coordinates (flaw 3).
+    Own,
+    /// Those of the world.
+    World,
+}
+
+/// What the text of the paper leaves open or contradicts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// ZSMF or InZSMF.
+    pub coordinates: Coordinates,
+    /// Algorithm 1 or 2.
+    pub gain: PublishedGain,
+    /// Whether the centre is corrected with the gain of the previous step (flaw 4).
+    pub lagging_gain: bool,
+    /// The axes of the position box.
+    pub frame: BoxFrame,
+}
+
+impl Settings {
+    /// The filter as the paper's numbers imply it: the invariant one lags, boxes in the filter's own axes.
+    #[must_use]
+    pub fn of_the_tables(coordinates: Coordinates, gain: PublishedGain) -> Self {
+        Self { coordinates, gain, lagging_gain: coordinates == Coordinates::LeftInvariant, frame: BoxFrame::Own }
+    }
+}
+
 /// One of the two filters, as published.
 #[derive(Clone, Debug)]
 pub struct PublishedFilter {
-    coordinates: Coordinates,
-    gain: PublishedGain,
-    /// Whether the centre is corrected with the gain of the previous step (flaw 4).
-    lagging_gain: bool,
+    settings: Settings,
     heading_rad: f64,
     position: Vector2<f64>,
     columns: Vec<Vector3<f64>>,
@@ -54,18 +81,22 @@ pub struct PublishedFilter {
 }
 
 impl PublishedFilter {
-    /// The filter at an initial estimate, with `H_0 = I`.
+    /// The filter at an initial estimate, with `H_0 = diag(radii)`.
     #[must_use]
-    pub fn new(coordinates: Coordinates, gain: PublishedGain, lagging_gain: bool, initial: Pose) -> Self {
+    pub fn new(settings: Settings, initial: Pose, radii: [f64; 3]) -> Self {
         Self {
-            coordinates,
-            gain,
-            lagging_gain,
+            settings,
             heading_rad: initial.heading_rad,
             position: Vector2::from(initial.position),
-            columns: (0..3).map(|axis| Vector3::ith(axis, 1.0)).collect(),
+            columns: (0..3).map(|axis| Vector3::ith(axis, radii[axis])).collect(),
             previous_gain: None,
         }
+    }
+
+    /// The filter's coordinates.
+    #[must_use]
+    pub fn coordinates(&self) -> Coordinates {
+        self.settings.coordinates
     }
 
     /// The generators, one a column, in the filter's coordinates.
@@ -91,7 +122,7 @@ impl PublishedFilter {
 
     /// The prediction of the centre and its correction: (14) plus the correction, or (18) times its exponential.
     fn move_center(&mut self, rotation: &Matrix2<f64>, correction: &Vector3<f64>) {
-        match self.coordinates {
+        match self.settings.coordinates {
             Coordinates::Euclidean => {
                 self.position += rotation * Vector2::new(SPEED * PERIOD_S, 0.0) + correction.fixed_rows::<2>(1);
                 self.heading_rad += TURN_RATE * PERIOD_S + correction[0];
@@ -119,17 +150,17 @@ impl Tracker for PublishedFilter {
         let rotation = rotation(self.heading_rad);
         let c = output_matrix();
         // The error dynamics: A, the frame of the process noise, and that of the measurement noise.
-        let (a, process_frame, output_frame) = match self.coordinates {
+        let (a, process_frame, output_frame) = match self.settings.coordinates {
             Coordinates::Euclidean => (self.euclidean_dynamics(), turned(&rotation), Matrix2::identity()),
             Coordinates::LeftInvariant => (body_dynamics(), Matrix3::identity(), rotation.transpose()),
         };
         let output_generators = output_frame * Matrix2::from_diagonal(&Vector2::from(OUTPUT_BOUNDS));
-        let gain = match self.gain {
+        let gain = match self.settings.gain {
             PublishedGain::FRadius => self.f_radius_gain(&a, &c, &output_generators),
-            PublishedGain::Poles(gain) if self.coordinates == Coordinates::LeftInvariant => gain,
+            PublishedGain::Poles(gain) if self.settings.coordinates == Coordinates::LeftInvariant => gain,
             PublishedGain::Poles(gain) => turned(&rotation) * gain * rotation.transpose(),
         };
-        let applied = if self.lagging_gain { self.previous_gain.unwrap_or(gain) } else { gain };
+        let applied = if self.settings.lagging_gain { self.previous_gain.unwrap_or(gain) } else { gain };
         let correction = applied * (output_frame * (Vector2::from(output) - self.position));
         self.move_center(&rotation, &correction);
         self.previous_gain = Some(gain);
@@ -146,33 +177,49 @@ impl Tracker for PublishedFilter {
         Pose { heading_rad: self.heading_rad, position: self.position.into() }
     }
 
-    /// Widths of the box of the generators in the filter's own coordinates (flaw 3), as the paper averages them.
     fn widths(&self) -> [f64; 3] {
-        (2.0 * self.columns.iter().fold(Vector3::zeros(), |sum, column| sum + column.abs())).into()
+        let frame = match self.settings.frame {
+            BoxFrame::World if self.settings.coordinates == Coordinates::LeftInvariant => {
+                turned(&rotation(self.heading_rad))
+            }
+            _ => Matrix3::identity(),
+        };
+        (2.0 * self.columns.iter().fold(Vector3::zeros(), |sum, column| sum + (frame * column).abs())).into()
     }
 }
 
-/// The filters of Tables I and II, and InZSMF with the gain of the current step.
+/// The filters of Tables I and II, and InZSMF with the gain of the current step and with the box in the world frame.
 ///
 /// # Errors
 /// [`ScenarioError::Estimator`] if the poles cannot be placed.
 pub fn contenders() -> Result<Vec<Contender>, ScenarioError> {
-    use Coordinates::{Euclidean, LeftInvariant};
-    let contender = |method: &str, coordinates, gain, lagging_gain| {
-        Contender::new(method, Mode::Published, move |initial| {
-            Ok(PublishedFilter::new(coordinates, gain, lagging_gain, initial))
-        })
+    let f_radius = |coordinates| Settings::of_the_tables(coordinates, PublishedGain::FRadius);
+    let zsmf_pole = Settings::of_the_tables(Coordinates::Euclidean, poles(Coordinates::Euclidean)?);
+    let inzsmf_pole = Settings::of_the_tables(Coordinates::LeftInvariant, poles(Coordinates::LeftInvariant)?);
+    let (zsmf, inzsmf) = (f_radius(Coordinates::Euclidean), f_radius(Coordinates::LeftInvariant));
+    let all = [
+        ("zsmf", zsmf),
+        ("inzsmf", inzsmf),
+        ("inzsmf/current-gain", Settings { lagging_gain: false, ..inzsmf }),
+        ("inzsmf/world-box", Settings { frame: BoxFrame::World, ..inzsmf }),
+        ("zsmf/pole", zsmf_pole),
+        ("inzsmf/pole", inzsmf_pole),
+        ("inzsmf/pole-world-box", Settings { frame: BoxFrame::World, ..inzsmf_pole }),
+    ];
+    let contender = |(method, settings): (&str, Settings)| {
+        Contender::new(method, Mode::Published, move |initial| Ok(PublishedFilter::new(settings, initial, [1.0; 3])))
     };
-    // At heading 0 the Euclidean dynamics (16) is that of the body frame without the turn of the frame.
-    let mut still = body_dynamics();
-    still.fixed_view_mut::<2, 2>(1, 1).fill_with_identity();
-    Ok(vec![
-        contender("zsmf", Euclidean, PublishedGain::FRadius, false),
-        contender("inzsmf", LeftInvariant, PublishedGain::FRadius, true),
-        contender("inzsmf/current-gain", LeftInvariant, PublishedGain::FRadius, false),
-        contender("zsmf/pole", Euclidean, PublishedGain::Poles(placed(&still)?), false),
-        contender("inzsmf/pole", LeftInvariant, PublishedGain::Poles(placed(&body_dynamics())?), true),
-    ])
+    Ok(all.map(contender).into())
+}
+
+/// The gain that places the poles of Table II.
+fn poles(coordinates: Coordinates) -> Result<PublishedGain, ScenarioError> {
+    let mut a = body_dynamics();
+    if coordinates == Coordinates::Euclidean {
+        // (16) at heading 0: the frame does not turn.
+        a.fixed_view_mut::<2, 2>(1, 1).fill_with_identity();
+    }
+    Ok(PublishedGain::Poles(placed(&a)?))
 }
 
 /// The gain that gives `A - L C` the poles of Table II.

@@ -1,6 +1,6 @@
 //! Translation and scaling.
 
-use scalars::rounding::{add_up, mul_up};
+use scalars::rounding::mul_up;
 
 use crate::bounds::{add_abs_row_sums, add_lengths, product_sum_bound, sum_bound, two_sum};
 use crate::{Part, SetError, Zonotope};
@@ -36,9 +36,9 @@ impl Zonotope {
             let extent = sum_bound(*sum + self.center[i].abs(), columns + 4);
             let image = mul_up(a, extent);
             // Each product is off by at most u times itself, or half of eta.
-            let exact = a == 0.0 || a == 1.0 || extent == 0.0;
-            let rounding = if exact { 0.0 } else { product_sum_bound(f64::EPSILON * image, columns, 1) };
-            *sum = if a == 1.0 { self.remainder[i] } else { add_up(mul_up(a, self.remainder[i]), rounding) };
+            let products = if a == 0.0 || a == 1.0 || extent == 0.0 { 0 } else { columns };
+            let rounding = if products == 0 { 0.0 } else { product_sum_bound(f64::EPSILON * image, products, 1) };
+            *sum = if a == 1.0 { self.remainder[i] } else { add_lengths(mul_up(a, self.remainder[i]), rounding) };
             let bounded = image + *sum < f64::MAX;
             if !bounded {
                 return Err(SetError::Overflow { row: i });

@@ -1,9 +1,9 @@
 //! Image under a matrix, `R X = { R x : x in X }`.
 
 use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
-use scalars::rounding::{add_up, gamma_up};
+use scalars::rounding::add_up;
 
-use crate::bounds::{add_abs_row_sums, product_sum_bound, sum_bound};
+use crate::bounds::{add_abs_row_sums, add_lengths, gamma, product_sum_bound, sum_bound};
 use crate::{Matrix, Part, SetError, Workspace, Zonotope};
 
 impl Zonotope {
@@ -21,7 +21,7 @@ impl Zonotope {
     /// # use setrep::{Matrix, Zonotope};
     /// let square = Zonotope::from_box(&[0.0, 0.0], &[1.0, 1.0])?;
     /// let diamond = square.linear_map(&Matrix::from_rows(&[&[0.5, -0.5], &[0.5, 0.5]])?)?;
-    /// assert!(diamond.support(&[1.0, 1.0])? < 1.0 + 1e-15);
+    /// assert!(diamond.support(&[1.0, 1.0])? < 1.0 + 1e-14);
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn linear_map(&self, map: &Matrix) -> Result<Self, SetError> {
@@ -47,7 +47,7 @@ impl Zonotope {
             return Err(SetError::ZeroDimension { part: Part::Map });
         }
         self.magnitudes(map, workspace);
-        remainder_of_image(map, self.num_generators() + self.dim() + 1, workspace)?;
+        remainder_of_image(map, None, self.num_generators() + self.dim() + 1, workspace)?;
         self.apply(map, workspace);
         Ok(())
     }
@@ -61,10 +61,15 @@ impl Zonotope {
         add_abs_row_sums(self.generators.as_slice(), sums);
         carried.clear();
         carried.extend_from_slice(&self.remainder);
+        let is_large = |k: usize, extent: f64, scale: f64| {
+            is_model_size(scale * self.remainder[k], extent, self.center[k].abs()) && spreads(map.col(k))
+        };
+        // Once one component has grown large, its neighbours that it fed are not far behind: they go with it.
+        let any_large = (0..sums.len()).any(|k| is_large(k, sums[k], 1.0));
         for k in 0..sums.len() {
-            let (extent, center) = (sums[k], self.center[k].abs());
-            sums[k] = sum_bound(extent + center, self.num_generators() + 4);
-            if is_model_size(carried[k], extent, center) && spreads(map.col(k)) {
+            let extent = sums[k];
+            sums[k] = sum_bound(extent + self.center[k].abs(), self.num_generators() + 4);
+            if any_large && is_large(k, extent, 1e3) {
                 sums[k] = add_up(sums[k], carried[k]);
                 carried[k] = 0.0;
             }
@@ -103,31 +108,41 @@ fn spreads(column: &[f64]) -> bool {
     column.iter().filter(|&&x| x != 0.0).count() > 1
 }
 
-/// The remainder of the image, from the magnitudes in the workspace; proves that no entry of the image overflows.
-/// `columns` counts the columns that are mapped, the center included.
-pub(crate) fn remainder_of_image(map: &Matrix, columns: usize, workspace: &mut Workspace) -> Result<(), SetError> {
+/// The remainder of the image under `map +- rad`, from the magnitudes in the workspace; proves that no entry of the image
+/// overflows. `columns` counts the columns that are mapped, the center included.
+pub(crate) fn remainder_of_image(
+    map: &Matrix,
+    rad: Option<&Matrix>,
+    columns: usize,
+    workspace: &mut Workspace,
+) -> Result<(), SetError> {
     let (p, n) = (map.rows(), map.cols());
     workspace.remainder.clear();
     for i in 0..p {
-        let (mut magnitude, mut carried, mut nonzeros, mut unit, mut active) = (0.0, 0.0, 0, true, false);
-        for k in 0..n {
-            let a = map.as_slice()[k * p + i].abs();
-            let (x, r) = (workspace.row_sums[k], workspace.center[k]);
+        let (mut magnitude, mut carried, mut unit) = (0.0, 0.0, true);
+        // Entries, and products of two nonzero factors: the others are exactly zero.
+        let (mut nonzeros, mut products, mut carried_products) = (0, 0, 0);
+        let row = map.as_slice()[i..].iter().step_by(p);
+        for ((a, &x), &r) in row.zip(&workspace.row_sums).zip(&workspace.center) {
+            let a = a.abs();
             magnitude += a * x;
             carried += a * r;
+            unit &= (a == 0.0) | (a == 1.0);
             nonzeros += usize::from(a != 0.0);
-            unit &= a == 0.0 || a == 1.0;
-            active |= a != 0.0 && (x != 0.0 || r != 0.0);
+            products += usize::from((a != 0.0) & (x != 0.0));
+            carried_products += usize::from((a != 0.0) & (r != 0.0));
         }
         let remainder = if unit && nonzeros <= 1 {
             // The row selects, negates or drops one coordinate: exact.
             carried
-        } else if active {
-            magnitude = product_sum_bound(magnitude, n, n);
-            let rounding = product_sum_bound(gamma_up(nonzeros) * magnitude, columns * n, 1);
-            add_up(product_sum_bound(carried, n, n), rounding)
         } else {
-            0.0
+            magnitude = product_sum_bound(magnitude, products, n);
+            let rounding = product_sum_bound(gamma(nonzeros) * magnitude, columns * products, 1);
+            add_lengths(product_sum_bound(carried, carried_products, n), rounding)
+        };
+        let remainder = match rad {
+            None => remainder,
+            Some(rad) => add_lengths(remainder, spread_of_row(rad, i, workspace)),
         };
         // The magnitude bounds every entry and every partial sum on the way to it; NaN fails the comparison.
         let bounded = magnitude + remainder < f64::MAX;
@@ -138,6 +153,19 @@ pub(crate) fn remainder_of_image(map: &Matrix, columns: usize, workspace: &mut W
         workspace.remainder.push(remainder);
     }
     Ok(())
+}
+
+/// `sum_k R_ik mag(H_k)`, rounded up: what the members of an interval matrix add to the image under its midpoint.
+fn spread_of_row(rad: &Matrix, i: usize, workspace: &Workspace) -> f64 {
+    let n = rad.cols();
+    let magnitudes = workspace.row_sums.iter().zip(&workspace.center).map(|(&x, &r)| add_lengths(x, r));
+    let (mut sum, mut products) = (0.0, 0);
+    for (k, magnitude) in magnitudes.enumerate() {
+        let radius = rad.as_slice()[k * rad.rows() + i];
+        sum += radius * magnitude;
+        products += usize::from(radius != 0.0 && magnitude != 0.0);
+    }
+    product_sum_bound(sum, products, n)
 }
 
 /// `product = map * columns` through faer; `columns` holds `cols` columns.

@@ -2,15 +2,15 @@
 
 mod affine;
 mod cartesian_product;
-// mod gauge;
+mod gauge;
 mod interval_hull;
-// mod interval_map;
+mod interval_map;
 mod linear_map;
 mod materialize;
-// pub(crate) mod membership;
+pub(crate) mod membership;
 mod minkowski_sum;
-// mod planar;
+mod planar;
 mod size;
 mod support;
-// pub(crate) mod volume;
-// mod witness;
+pub(crate) mod volume;
+mod witness;

@@ -9,7 +9,7 @@ impl Zonotope {
     /// F-radius: the Frobenius norm `(sum_ij G_ij^2 + sum_i r_i^2)^(1/2)` of the generators, the box remainder counted as such.
     ///
     /// **Guarantee:** an upper bound of the exact norm, above it by rounding only; `inf` where the squares overflow.
-    /// **Source:** Combastel 2015; paper 000, (10).
+    /// **Source:** Combastel 2015; paper 000.
     #[must_use]
     pub fn f_radius(&self) -> f64 {
         let entries = self.generators.as_slice().len() + self.dim();
@@ -21,7 +21,7 @@ impl Zonotope {
     /// Covariation `G G' + diag(r)^2` (approximate: plain floating point), shape `n x n`; the box remainder counts as generators.
     ///
     /// It takes the place of a covariance in gains; no guarantee rests on it.
-    /// **Source:** Combastel 2015; paper 000, (10).
+    /// **Source:** Combastel 2015; paper 000.
     #[must_use]
     pub fn covariation(&self) -> Matrix {
         let mut covariation = Matrix::zeros(0, 0);

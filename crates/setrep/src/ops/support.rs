@@ -1,8 +1,8 @@
 //! Support function `h(d) = max { d'x : x in X }`.
 
-use scalars::rounding::{add_up, gamma_up, mul_up, up};
+use scalars::rounding::{add_up, mul_up, up};
 
-use crate::bounds::underflow_bound;
+use crate::bounds::{gamma, underflow_bound};
 use crate::{Part, SetError, Zonotope};
 
 impl Zonotope {
@@ -49,15 +49,21 @@ impl Zonotope {
             magnitude += absolute;
         }
         let (n, columns) = (self.dim(), self.num_generators());
-        let relative = gamma_up(2 * (n + columns + 4));
-        let lost = if magnitude == 0.0 && self.is_zero_along(direction) { 0.0 } else { 2.0 * underflow_bound(n * (columns + 2)) };
+        let relative = gamma(2 * (n + columns + 4));
+        let lost = if magnitude == 0.0 && self.is_zero_along(direction) {
+            0.0
+        } else {
+            2.0 * underflow_bound(n * (columns + 2))
+        };
         (value, if lost == 0.0 { 0.0 } else { up(mul_up(relative, magnitude) + lost) })
     }
 
     /// Whether every product `d_k x_k` is zero because a factor is.
     fn is_zero_along(&self, direction: &[f64]) -> bool {
         let zero = |k: usize| {
-            self.center[k] == 0.0 && self.remainder[k] == 0.0 && self.generators.columns().all(|column| column[k] == 0.0)
+            self.center[k] == 0.0
+                && self.remainder[k] == 0.0
+                && self.generators.columns().all(|column| column[k] == 0.0)
         };
         direction.iter().enumerate().all(|(k, &d)| d == 0.0 || zero(k))
     }

@@ -5,11 +5,11 @@
 //! rounding only.
 
 mod combastel;
-// mod frame;
+mod frame;
 mod girard;
-// mod jacobi;
-// mod method4;
-// mod pca;
+mod jacobi;
+mod method4;
+mod pca;
 mod selection;
 
 use crate::{SetError, Workspace, Zonotope};
@@ -49,7 +49,12 @@ impl Zonotope {
     /// assert_eq!(set.num_generators(), 2);
     /// # Ok::<(), setrep::SetError>(())
     /// ```
-    pub fn reduce(&mut self, method: Reduction, max_generators: usize, workspace: &mut Workspace) -> Result<(), SetError> {
+    pub fn reduce(
+        &mut self,
+        method: Reduction,
+        max_generators: usize,
+        workspace: &mut Workspace,
+    ) -> Result<(), SetError> {
         if max_generators < self.dim() {
             return Err(SetError::TooFewGenerators { max_generators, dim: self.dim() });
         }
@@ -59,8 +64,8 @@ impl Zonotope {
         match method {
             Reduction::Combastel => combastel::reduce(self, max_generators, workspace),
             Reduction::Girard => girard::reduce(self, max_generators, workspace),
-            Reduction::Pca => combastel::reduce(self, max_generators, workspace),
-            Reduction::Method4 => combastel::reduce(self, max_generators, workspace),
+            Reduction::Pca => pca::reduce(self, max_generators, workspace),
+            Reduction::Method4 => method4::reduce(self, max_generators, workspace),
         }
     }
 }

@@ -12,8 +12,9 @@ const AAR_POSITION: usize = 3;
 #[test]
 fn areas_are_the_papers() {
     let contenders = published::contenders().unwrap();
-    let cases: Vec<usize> = (0..TABLE_I.len()).collect();
-    let cells = study::study(&Context::new(1), "published", 6, &cases, &contenders).unwrap();
+    let pairs: Vec<_> =
+        (0..TABLE_I.len()).flat_map(|case| contenders.iter().map(move |contender| (case, contender))).collect();
+    let cells = study::study(&Context::new(1), "published", 6, &pairs).unwrap();
     let check = |case: usize, method: &str, paper: &[f64; 4]| {
         let cell = study::find(&cells, case, method, Mode::Published).unwrap();
         for (metric, tolerance) in [(AAR_POSITION, 0.02), (AAR_HEADING, 0.06)] {

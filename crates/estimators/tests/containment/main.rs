@@ -1,0 +1,8 @@
+//! The state lies in the set where the filters promise it, and near it where they do not.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod hulls;
+mod linear;
+mod vehicle;

@@ -1,0 +1,47 @@
+//! Steps in steady state allocate nothing.
+
+use estimators::{Estimator, Gain};
+use setrep::Reduction;
+
+use crate::support::{Truth, increment, vehicle_inzsmf, vehicle_zsmf};
+
+fn assert_quiet(name: &str, mut step: impl FnMut()) {
+    for _ in 0..100 {
+        step();
+    }
+    let counted = allocation_counter::measure(|| {
+        for _ in 0..1000 {
+            step();
+        }
+    });
+    assert_eq!(counted.count_total, 0, "{name}: {counted:?}");
+}
+
+#[test]
+fn a_step_allocates_nothing() {
+    let mut truth = Truth::new(11);
+    let y = truth.measure();
+    for method in [Reduction::Combastel, Reduction::Girard] {
+        let mut invariant = vehicle_inzsmf([0.0; 3], [1.0; 3]).with_reduction(method, 30).unwrap();
+        assert_quiet("inzsmf", || invariant.step(&increment(), y.as_slice()).unwrap());
+        let mut euclidean = vehicle_zsmf([0.0; 3], [1.0; 3]).with_reduction(method, 30).unwrap();
+        assert_quiet("zsmf", || euclidean.step(&(), y.as_slice()).unwrap());
+    }
+}
+
+#[test]
+fn predictions_and_updates_allocate_nothing() {
+    let mut filter = vehicle_inzsmf([0.0; 3], [1.0; 3]).with_transport(true);
+    assert_quiet("inzsmf", || {
+        filter.update(&[0.1, -0.1]).unwrap();
+        filter.predict(&increment()).unwrap();
+        filter.predict(&-increment()).unwrap();
+    });
+}
+
+/// A placed gain is computed once for a constant pair.
+#[test]
+fn placed_poles_are_kept() {
+    let mut filter = vehicle_inzsmf([0.0; 3], [1.0; 3]).with_gain(Gain::real_poles([0.95, 0.98, 0.98]));
+    assert_quiet("inzsmf", || filter.step(&increment(), &[0.1, -0.1]).unwrap());
+}

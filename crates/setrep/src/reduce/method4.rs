@@ -1,0 +1,123 @@
+//! Method 4 (Chisci; Yang and Scott): a parallelotope of `n` generators takes in the others, the cheapest in volume first.
+//!
+//! Full pivoting picks `n` independent columns `T`; the others are `T R`. Enclosing column `r = R_j` scales the parallelotope by
+//! `1 + |r_i|` along its `i`-th axis, so it costs about `prod_i (1 + |r_i|) - (1 + sum_i |r_i|)` in volume (the sum is what the set had
+//! anyway). After each step `r` is measured in the scaled axes: with `d_i = 1 + sum |r_i|` over the columns taken in, the cost of
+//! column `j` is that of `R_ij / d_i`. The columns that stay are the original ones.
+//!
+//! **Source:** Chisci, Garulli, Zappa 1996; Scott, Raimondo, Marseglia, Braatz 2016; Yang and Scott 2018, method 4. Enclosure for a
+//! computed `R`: [`frame`](super::frame).
+
+use super::{combastel, frame};
+use crate::{SetError, Workspace, Zonotope};
+
+/// Pivots below this (rows scaled to 1-norm 1) count as zero: the generators do not span the space.
+const RANK_TOLERANCE: f64 = 1e-12;
+
+/// Reduces a set with more than `s >= n` generators to at most `s`; as Combastel for rank-deficient generators.
+pub(super) fn reduce(set: &mut Zonotope, s: usize, workspace: &mut Workspace) -> Result<(), SetError> {
+    if pivot(set, workspace) {
+        let absorbed = set.num_generators() - s;
+        absorb_cheapest(set, absorbed, workspace);
+        if frame::enclose_selected(set, workspace) {
+            return Ok(());
+        }
+    }
+    combastel::reduce(set, s, workspace)
+}
+
+/// Gauss-Jordan elimination with full pivoting on the generators with rows scaled to 1-norm 1. Leaves `R` (all columns) in
+/// `workspace.matrix`, the pivot columns in row order in `workspace.selected` and as the frame; `false` if the rank is deficient.
+fn pivot(set: &Zonotope, workspace: &mut Workspace) -> bool {
+    let (n, m) = (set.dim(), set.num_generators());
+    let Workspace { matrix: a, selected, row_sums, frame, .. } = workspace;
+    row_sums.clear();
+    row_sums.resize(n, 0.0);
+    crate::bounds::add_abs_row_sums(set.generators.as_slice(), row_sums);
+    a.clear();
+    a.extend(
+        set.generators
+            .columns()
+            .flat_map(|g| g.iter().zip(row_sums.iter()).map(|(g, sum)| if *sum > 0.0 { g / sum } else { 0.0 })),
+    );
+    // A row without pivot holds this mark.
+    selected.clear();
+    selected.resize(n, usize::MAX);
+    for _ in 0..n {
+        let (mut best, mut row, mut col) = (RANK_TOLERANCE, usize::MAX, 0);
+        for j in 0..m {
+            for i in 0..n {
+                if selected[i] == usize::MAX && a[j * n + i].abs() > best {
+                    (best, row, col) = (a[j * n + i].abs(), i, j);
+                }
+            }
+        }
+        if row == usize::MAX {
+            return false;
+        }
+        selected[row] = col;
+        eliminate(a, n, row, col);
+    }
+    frame.clear();
+    frame.extend(selected.iter().flat_map(|&j| set.generators.col(j)));
+    true
+}
+
+/// Makes column `col` the unit vector of `row` by row operations.
+fn eliminate(a: &mut [f64], n: usize, row: usize, col: usize) {
+    let pivot = a[col * n + row];
+    for j in (0..a.len() / n).filter(|&j| j != col) {
+        let share = a[j * n + row] / pivot;
+        for i in 0..n {
+            if i != row {
+                a[j * n + i] -= share * a[col * n + i];
+            }
+        }
+        a[j * n + row] = share;
+    }
+    for i in 0..n {
+        a[col * n + i] = f64::from(u8::from(i == row));
+    }
+}
+
+/// Adds the `count` cheapest columns to the selected ones, and fills the coordinates of all selected columns in ascending order.
+fn absorb_cheapest(set: &Zonotope, count: usize, workspace: &mut Workspace) {
+    let n = set.dim();
+    let Workspace { matrix: r, selected, scales, keys, coordinates, .. } = workspace;
+    scales.clear();
+    scales.resize(n, 1.0);
+    // The columns that are still outside.
+    keys.clear();
+    keys.extend((0..set.num_generators()).filter(|j| !selected.contains(j)).map(|j| j as u64));
+    for _ in 0..count {
+        let (mut least, mut choice) = (f64::INFINITY, 0);
+        for (position, &j) in keys.iter().enumerate() {
+            let cost = growth(&r[j as usize * n..][..n], scales);
+            if cost < least {
+                (least, choice) = (cost, position);
+            }
+        }
+        if choice >= keys.len() {
+            break;
+        }
+        let j = keys.swap_remove(choice) as usize;
+        for (d, x) in scales.iter_mut().zip(&r[j * n..][..n]) {
+            *d += x.abs();
+        }
+        selected.push(j);
+    }
+    selected.sort_unstable();
+    coordinates.clear();
+    coordinates.extend(selected.iter().flat_map(|&j| &r[j * n..][..n]));
+}
+
+/// `prod_i (1 + x_i) - (1 + sum_i x_i)` for `x_i = |r_i| / d_i`, without cancellation.
+fn growth(r: &[f64], scales: &[f64]) -> f64 {
+    let (mut sum, mut higher) = (0.0, 0.0);
+    for (r, d) in r.iter().zip(scales) {
+        let x = r.abs() / d;
+        higher += x * (sum + higher);
+        sum += x;
+    }
+    higher
+}

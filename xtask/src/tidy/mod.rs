@@ -1,0 +1,41 @@
+//! `tidy`: the house rules that a compiler does not check.
+
+mod edges;
+mod reasons;
+mod sources;
+
+use crate::process::{cargo, root};
+
+/// A rule that is broken: where, and what.
+type Finding = String;
+
+/// Checks all rules and lists every finding.
+pub fn run() -> Result<(), String> {
+    println!("--- tidy");
+    let metadata = metadata()?;
+    let mut findings = edges::check(&metadata);
+    findings.extend(reasons::check(&read("Cargo.toml")?, &read("docs/ARCHITECTURE.md")?));
+    findings.extend(sources::check()?);
+    if findings.is_empty() {
+        return Ok(());
+    }
+    for finding in &findings {
+        eprintln!("{finding}");
+    }
+    Err(format!("tidy found {} broken rules", findings.len()))
+}
+
+/// The packages of the workspace and what they depend on, as cargo sees them.
+fn metadata() -> Result<serde_json::Value, String> {
+    let output = cargo(&["metadata", "--no-deps", "--format-version", "1"])
+        .output()
+        .map_err(|error| format!("cargo metadata could not be started: {error}"))?;
+    if !output.status.success() {
+        return Err(format!("cargo metadata failed: {}", String::from_utf8_lossy(&output.stderr)));
+    }
+    serde_json::from_slice(&output.stdout).map_err(|error| format!("cargo metadata printed no JSON: {error}"))
+}
+
+fn read(path: &str) -> Result<String, String> {
+    std::fs::read_to_string(root().join(path)).map_err(|error| format!("cannot read {path}: {error}"))
+}
