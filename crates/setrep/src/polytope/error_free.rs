@@ -104,7 +104,8 @@ pub(super) fn dot_compensated(x: &[f64], y: &[f64]) -> (f64, f64) {
 }
 
 /// Plain dot product with its error bound, underflow included; the bound is NaN or infinite beside an overflow.
-fn dot_plain(x: &[f64], y: &[f64]) -> (f64, f64) {
+#[inline]
+pub(super) fn dot_plain(x: &[f64], y: &[f64]) -> (f64, f64) {
     let (mut sum, mut magnitude) = (0.0, 0.0);
     for (&a, &b) in x.iter().zip(y) {
         sum += a * b;

@@ -9,8 +9,22 @@ use super::solve::Solver;
 use super::{HPolytope, MAX_FACES, VPolytope};
 use crate::{Matrix, SetError};
 
-/// Facets solved for with a larger error are computed in integers.
+/// Verified facets with a larger error are computed in integers.
 const FINE: f64 = 1e-13;
+
+/// Entries of normals below this share of the largest are rounding errors of zeros.
+const NOISE: f64 = 4.0 * f64::EPSILON;
+
+/// What the inequalities of the facets are needed for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Quality {
+    /// Not at all: the combinatorics are enough.
+    Incidence,
+    /// As normals, whose rounding the offsets will cover.
+    Float,
+    /// As enclosures of the exact facets.
+    Verified,
+}
 
 /// Inequalities `y_0 + y'(x_J - s) >= 0` of the facets of a hull, in the coordinates `J` of its affine frame.
 pub(super) struct Facets {
@@ -18,9 +32,9 @@ pub(super) struct Facets {
     pub(super) coordinates: Vec<usize>,
     /// The shift `s`, in all coordinates.
     pub(super) shift: Vec<f64>,
-    /// `(y_0, y)` for each facet, within `error` of a multiple of the exact one.
+    /// `(y_0, y)` for each facet, near a multiple of the exact one; none for [`Quality::Incidence`].
     pub(super) inequalities: Vec<Vec<f64>>,
-    /// Bound of the error of the entries, in the scale of [`scales`](Self::scales).
+    /// For [`Quality::Verified`] a bound of the error of the entries, in the scale of [`scales`](Self::scales).
     pub(super) errors: Vec<f64>,
     /// Powers of two: entry `k` of an inequality is off by at most `error * scales[k]`.
     pub(super) scales: Vec<f64>,
@@ -34,7 +48,7 @@ pub(super) struct Facets {
 
 impl Facets {
     /// The facets of the convex hull of the columns, with exact combinatorics.
-    pub(super) fn enumerate(vertices: &Matrix, max_facets: usize) -> Result<Self, SetError> {
+    pub(super) fn enumerate(vertices: &Matrix, max_facets: usize, quality: Quality) -> Result<Self, SetError> {
         let n = vertices.rows();
         let shift = exact_shift(vertices);
         let lifted = |v: &[f64]| core::iter::once(1.0).chain(v.iter().zip(&shift).map(|(x, s)| x - s)).collect::<Vec<f64>>();
@@ -71,11 +85,15 @@ impl Facets {
         let live = core::mem::take(&mut cone.live);
         for (i, &ray) in live.iter().enumerate() {
             let ray = ray as usize;
-            cone.rays.solve(&rows, &cone.slots, ray);
-            if !(cone.rays.error(ray) < FINE) {
-                cone.rays.make_exact(&rows, &cone.slots, ray);
+            let float = if quality == Quality::Float { cone.rays.approximate(&rows, &cone.slots, ray) } else { None };
+            if quality != Quality::Incidence && float.is_none() {
+                cone.rays.solve(&rows, &cone.slots, ray);
+                if !(cone.rays.error(ray) < FINE) {
+                    cone.rays.make_exact(&rows, &cone.slots, ray);
+                }
             }
-            facets.inequalities.push(cone.rays.center(ray).iter().zip(&facets.scales).map(|(y, s)| y * s).collect());
+            let y = float.as_deref().unwrap_or(cone.rays.center(ray));
+            facets.inequalities.push(y.iter().zip(&facets.scales).map(|(y, s)| y * s).collect());
             facets.errors.push(cone.rays.error(ray));
             for point in iter(cone.rays.tight.get(ray)) {
                 facets.incidence.insert(i, point);
@@ -86,7 +104,7 @@ impl Facets {
 
     /// The columns of `V` that are vertices: no other point lies on all the facets of one.
     pub(super) fn extreme_points(&self) -> Vec<usize> {
-        if self.inequalities.is_empty() {
+        if self.incidence.len() == 0 {
             return self.points.clone();
         }
         let facets_of = self.incidence.transpose(self.points.len());
@@ -100,13 +118,14 @@ impl Facets {
     fn normals(&self, n: usize) -> Vec<Vec<f64>> {
         self.inequalities
             .iter()
-            .zip(&self.errors)
-            .map(|(y, error)| {
+            .map(|y| {
                 let mut normal = vec![0.0; n];
+                // In the scaled coordinates, where every entry weighs the same.
+                let size = |i: usize| (y[i] / self.scales[i]).abs();
+                let largest = (1..y.len()).map(size).fold(0.0, f64::max);
                 for (i, &k) in self.coordinates.iter().enumerate() {
-                    // An entry within its error of zero is taken as zero: box facets come out parallel to the axes.
-                    let noise = error * self.scales[i + 1];
-                    normal[k] = if y[i + 1].abs() <= noise { 0.0 } else { -y[i + 1] };
+                    // Any normal is valid; zeros make box facets parallel to the axes.
+                    normal[k] = if size(i + 1) <= NOISE * largest { 0.0 } else { -y[i + 1] };
                 }
                 normalise(&mut normal);
                 normal
@@ -202,7 +221,7 @@ impl VPolytope {
             let normals: Vec<Vec<f64>> = (0..order.len()).map(|i| self.edge_normal(order[i], next(i))).collect();
             return self.bounded_by(&normals, &order);
         }
-        let facets = Facets::enumerate(&self.vertices, max_facets)?;
+        let facets = Facets::enumerate(&self.vertices, max_facets, Quality::Float)?;
         let mut normals = facets.normals(n);
         for normal in facets.equations(&self.vertices) {
             normals.push(normal.iter().map(|x| -x).collect());
@@ -249,7 +268,7 @@ impl VPolytope {
     pub fn remove_redundant(&self) -> Result<Self, SetError> {
         let mut extreme = if self.dim() == 2 { hull_order(&self.vertices) } else { Vec::new() };
         if extreme.is_empty() {
-            extreme = Facets::enumerate(&self.vertices, MAX_FACES)?.extreme_points();
+            extreme = Facets::enumerate(&self.vertices, MAX_FACES, Quality::Incidence)?.extreme_points();
         }
         let mut vertices = Matrix::zeros(self.dim(), 0);
         for j in extreme {

@@ -52,7 +52,7 @@ pub(super) fn hull_order(points: &Matrix) -> Vec<usize> {
         return sorted;
     }
     let mut hull: Vec<usize> = Vec::with_capacity(sorted.len() + 1);
-    let mut chain = |hull: &mut Vec<usize>, floor: usize, j: usize| {
+    let chain = |hull: &mut Vec<usize>, floor: usize, j: usize| {
         while hull.len() > floor && orientation(at(hull[hull.len() - 2]), at(hull[hull.len() - 1]), at(j)).is_le() {
             hull.pop();
         }

@@ -197,6 +197,33 @@ impl Rays {
         }
     }
 
+    /// A ray to floating-point accuracy, without a bound of the error; `None` beside pivots that are too small.
+    ///
+    /// What is already known to full accuracy is returned as it is; else the tight constraints are eliminated once.
+    pub(super) fn approximate(&self, rows: &Rows, slots: &[u32], ray: usize) -> Option<Vec<f64>> {
+        let n = self.dim;
+        if self.errors[ray] < 16.0 * UNIT_ROUNDOFF {
+            return Some(self.center(ray).to_vec());
+        }
+        let mut matrix: Vec<f64> =
+            iter(self.tight.get(ray)).flat_map(|slot| rows.row(slots[slot] as usize)).copied().collect();
+        let (row_order, col_order) = pivots(&mut matrix, n, n - 1)?;
+        let mut y = vec![0.0; n];
+        y[col_order[n - 1]] = 1.0;
+        for step in (0..n - 1).rev() {
+            let row = &matrix[row_order[step] * n..(row_order[step] + 1) * n];
+            let sum: f64 = col_order[step + 1..].iter().map(|&k| row[k] * y[k]).sum();
+            y[col_order[step]] = -sum / row[col_order[step]];
+        }
+        // The enclosure tells the ray from its opposite.
+        let along: f64 = y.iter().zip(self.center(ray)).map(|(a, b)| a * b).sum();
+        if !(self.errors[ray] < 0.1 && along.abs() > 0.0) {
+            return None;
+        }
+        let factor = along.signum() / y.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        Some(y.iter().map(|x| x * factor).collect())
+    }
+
     /// Computes a ray in integers from its tight constraints, and its floats from these.
     pub(super) fn make_exact(&mut self, rows: &Rows, slots: &[u32], ray: usize) {
         if self.exact[ray].is_some() {

@@ -85,7 +85,7 @@ impl Solver {
         let norms: Vec<f64> = matrix.chunks_exact(n).map(|row| row.iter().map(|x| x.abs()).sum()).collect();
         self.solution.clear();
         self.solution.resize(n, 0.0);
-        for pass in 0..3 {
+        for _ in 0..2 {
             self.residual.clear();
             for (row, &c) in matrix.chunks_exact(n).zip(rhs) {
                 self.residual.push(residual(row, &self.solution, c).0);
@@ -93,9 +93,6 @@ impl Solver {
             for i in 0..n {
                 let correction: f64 = self.inverse[i * n..(i + 1) * n].iter().zip(&self.residual).map(|(r, x)| r * x).sum();
                 self.solution[i] += correction;
-            }
-            if pass == 1 && self.residual.iter().all(|&r| r == 0.0) {
-                break;
             }
         }
         // Bounds of the final residual.

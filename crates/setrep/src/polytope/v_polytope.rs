@@ -6,7 +6,7 @@ use scalars::rounding::{add_up, mul_up};
 use super::h_polytope::check_bounded;
 use super::solve::dot_upper;
 use super::MAX_FACES;
-use super::error_free::dot_compensated;
+use super::error_free::{dot_compensated, dot_plain};
 use crate::{IntervalVector, Matrix, Part, SetError};
 
 /// A polytope in vertex form with a box remainder, `conv { v_1, .., v_m } + [-r, r]`, shapes `V: n x m`, `r: n`.
@@ -124,9 +124,16 @@ impl VPolytope {
 
     /// [`support`](Self::support) of the hull of some of the columns plus the remainder.
     pub(super) fn support_over(&self, direction: &[f64], columns: impl Iterator<Item = usize>) -> f64 {
+        let columns: Vec<usize> = columns.collect();
+        let plain: Vec<(f64, f64)> = columns.iter().map(|&j| dot_plain(direction, self.vertices.col(j))).collect();
+        let floor = plain.iter().map(|(value, error)| value - 2.0 * error).fold(f64::NEG_INFINITY, f64::max);
         let mut largest = f64::NEG_INFINITY;
-        for j in columns {
-            largest = largest.max(dot_upper(direction, self.vertices.col(j)));
+        for (&j, &(value, error)) in columns.iter().zip(&plain) {
+            // Columns certainly below another one are left out; NaN is not below.
+            if !(value + 2.0 * error < floor) {
+                let bound = dot_upper(direction, self.vertices.col(j));
+                largest = if bound > largest || bound.is_nan() { bound } else { largest };
+            }
         }
         self.remainder.iter().zip(direction).filter(|(r, _)| **r != 0.0).fold(largest, |h, (&r, d)| add_up(h, mul_up(r, d.abs())))
     }
