@@ -104,7 +104,12 @@ impl<'a> Cone<'a> {
     ///
     /// # Errors
     /// As [`enumerate`](Self::enumerate).
-    pub(super) fn enumerate_first(rows: &'a Rows, basis: &[usize], count: usize, max_rays: usize) -> Result<Self, SetError> {
+    pub(super) fn enumerate_first(
+        rows: &'a Rows,
+        basis: &[usize],
+        count: usize,
+        max_rays: usize,
+    ) -> Result<Self, SetError> {
         let mut cone = Self {
             rows,
             rays: Rays::new(rows.dim(), 64.min(rows.len())),
@@ -114,7 +119,12 @@ impl<'a> Cone<'a> {
             keys: Vec::new(),
             counts: Vec::new(),
             values: Vec::new(),
-            waiting: Waiting { first: Vec::new(), next: vec![NONE; rows.len()], violation: vec![0.0; rows.len()], rows: Vec::new() },
+            waiting: Waiting {
+                first: Vec::new(),
+                next: vec![NONE; rows.len()],
+                violation: vec![0.0; rows.len()],
+                rows: Vec::new(),
+            },
             table: Table::default(),
             max_rays,
             work: 0,
@@ -276,7 +286,8 @@ impl<'a> Cone<'a> {
                 *all |= word;
             }
         }
-        let near: Vec<u32> = plus.iter().copied().filter(|&ray| common(tight.get(ray as usize), &union) >= shared).collect();
+        let near: Vec<u32> =
+            plus.iter().copied().filter(|&ray| common(tight.get(ray as usize), &union) >= shared).collect();
         let (simple_minus, other_minus): (Vec<u32>, Vec<u32>) = minus.iter().copied().partition(is_simple);
         let (simple_near, other_near): (Vec<u32>, Vec<u32>) = near.iter().copied().partition(is_simple);
         let mut pairs = Vec::new();

@@ -10,6 +10,7 @@ use core::cmp::Ordering;
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
+use scalars::rounding::ETA;
 
 use super::error_free::exact_sum;
 
@@ -29,9 +30,13 @@ pub(super) fn decompose(x: f64) -> (i64, i32) {
 
 /// Integers `A` and the shift `p` with `x_k 2^(e_k) = A_k 2^-p`.
 pub(super) fn integer_row(x: &[f64], exponents: &[i32]) -> (Box<[BigInt]>, i32) {
-    let parts: Vec<(i64, i32)> = x.iter().zip(exponents).map(|(&x, &e)| (decompose(x), e)).map(|((m, p), e)| (m, p + e)).collect();
+    let parts: Vec<(i64, i32)> =
+        x.iter().zip(exponents).map(|(&x, &e)| (decompose(x), e)).map(|((m, p), e)| (m, p + e)).collect();
     let lowest = parts.iter().filter(|(m, _)| *m != 0).map(|&(_, p)| p).min().unwrap_or(0);
-    let row = parts.iter().map(|&(m, p)| if m == 0 { BigInt::zero() } else { BigInt::from(m) << (p - lowest) as usize }).collect();
+    let row = parts
+        .iter()
+        .map(|&(m, p)| if m == 0 { BigInt::zero() } else { BigInt::from(m) << (p - lowest) as usize })
+        .collect();
     (row, -lowest)
 }
 
@@ -44,7 +49,8 @@ pub(super) fn scaled(x: &BigInt, shift: i64) -> (f64, bool) {
     let top_digits = top.iter_u64_digits().next().unwrap_or(0);
     let zeros = x.magnitude().trailing_zeros().unwrap_or(0);
     let value = scale_by_power(top_digits as f64, drop as i64 - shift);
-    let exact = bits - zeros.min(bits) <= 53 && (value == 0.0) == x.is_zero() && (value == 0.0 || (1e-290..1e290).contains(&value));
+    // Only results below the normal range are rounded by the scaling.
+    let exact = x.is_zero() || (bits - zeros.min(bits) <= 53 && value.is_normal());
     (if x.sign() == Sign::Minus { -value } else { value }, exact)
 }
 
@@ -65,7 +71,8 @@ pub(super) fn scale_by_power(x: f64, k: i64) -> f64 {
 
 /// The exact quotient `numerator / denominator` between two floats: `mid +- rad`, `rad = 0` if the quotient is a float.
 ///
-/// The bits beyond the 64 leading ones are dropped (relative error `2^-62`), rounding to nearest adds `2^-53`.
+/// The bits beyond the 64 leading ones are dropped (relative error `2^-61`), rounding to nearest adds `2^-53`, and half of `ETA` where the result
+/// is subnormal.
 pub(super) fn quotient(numerator: &BigInt, denominator: &BigInt, exponent: i64) -> (f64, f64) {
     if numerator.is_zero() {
         return (0.0, 0.0);
@@ -78,7 +85,7 @@ pub(super) fn quotient(numerator: &BigInt, denominator: &BigInt, exponent: i64) 
     };
     let (ratio, rest) = top.div_rem(&bottom);
     let (mid, exact) = scaled(&ratio, shift - exponent);
-    let rad = if exact && rest.is_zero() { 0.0 } else { mid.abs() * 2f64.powi(-51) + f64::MIN_POSITIVE };
+    let rad = if exact && rest.is_zero() { 0.0 } else { mid.abs() * 2f64.powi(-51) + 2.0 * ETA };
     (mid, rad)
 }
 

@@ -51,7 +51,8 @@ impl Facets {
     pub(super) fn enumerate(vertices: &Matrix, max_facets: usize, quality: Quality) -> Result<Self, SetError> {
         let n = vertices.rows();
         let shift = exact_shift(vertices);
-        let lifted = |v: &[f64]| core::iter::once(1.0).chain(v.iter().zip(&shift).map(|(x, s)| x - s)).collect::<Vec<f64>>();
+        let lifted =
+            |v: &[f64]| core::iter::once(1.0).chain(v.iter().zip(&shift).map(|(x, s)| x - s)).collect::<Vec<f64>>();
         let all = Rows::new(n + 1, vertices.columns().flat_map(lifted).collect());
         let (rows, coordinates, basis) = match span(&all, None) {
             Span::Full(basis) => (all, (0..n).collect(), basis),
@@ -108,7 +109,8 @@ impl Facets {
             return self.points.clone();
         }
         let facets_of = self.incidence.transpose(self.points.len());
-        let is_extreme = |&i: &usize| (0..self.points.len()).all(|k| k == i || !is_subset(facets_of.get(i), facets_of.get(k)));
+        let is_extreme =
+            |&i: &usize| (0..self.points.len()).all(|k| k == i || !is_subset(facets_of.get(i), facets_of.get(k)));
         let mut extreme: Vec<usize> = (0..self.points.len()).filter(is_extreme).map(|i| self.points[i]).collect();
         extreme.sort_unstable();
         extreme

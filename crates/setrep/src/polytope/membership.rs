@@ -42,7 +42,9 @@ impl VPolytope {
     /// Whether the corners of a box lie in `conv V`: all of them, or none by one facet or one equation of the affine hull.
     fn compare_corners(&self, corners: &Self) -> Result<Membership, SetError> {
         let (n, count) = (self.dim(), self.num_vertices());
-        let lift = |set: &Self| set.vertices.columns().flat_map(|v| core::iter::once(1.0).chain(v.iter().copied())).collect::<Vec<f64>>();
+        let lift = |set: &Self| {
+            set.vertices.columns().flat_map(|v| core::iter::once(1.0).chain(v.iter().copied())).collect::<Vec<f64>>()
+        };
         let mut rows = Rows::new(n + 1, lift(self));
         let both = [lift(self), lift(corners)].concat();
         let mut queries = Rows::new(n + 1, both.clone());
@@ -66,7 +68,8 @@ impl VPolytope {
         let mut hull = Cone::enumerate_first(&queries, &basis, count, MAX_FACES)?;
         let mut verdict = Membership::ProvenInside;
         for ray in core::mem::take(&mut hull.live) {
-            let signs = (count..queries.len()).map(|corner| hull.rays.value(&queries, &hull.slots, ray as usize, corner).sign);
+            let signs =
+                (count..queries.len()).map(|corner| hull.rays.value(&queries, &hull.slots, ray as usize, corner).sign);
             let below = signs.filter(|sign| sign.is_lt()).count();
             if below == corners.num_vertices() {
                 return Ok(Membership::ProvenOutside);

@@ -63,7 +63,8 @@ impl Rows {
 
     fn scale(&mut self) {
         for row in self.source.chunks_exact(self.dim) {
-            let exponents = row.iter().zip(&self.column_exponents).filter_map(|(&x, c)| binary_exponent(x).map(|k| k + c));
+            let exponents =
+                row.iter().zip(&self.column_exponents).filter_map(|(&x, c)| binary_exponent(x).map(|k| k + c));
             let shift = -exponents.max().unwrap_or(0);
             let mut norm = 0.0;
             for (&x, &c) in row.iter().zip(&self.column_exponents) {

@@ -91,9 +91,15 @@ impl Solver {
                 self.residual.push(residual(row, &self.solution, c).0);
             }
             for i in 0..n {
-                let correction: f64 = self.inverse[i * n..(i + 1) * n].iter().zip(&self.residual).map(|(r, x)| r * x).sum();
+                let correction: f64 =
+                    self.inverse[i * n..(i + 1) * n].iter().zip(&self.residual).map(|(r, x)| r * x).sum();
                 self.solution[i] += correction;
             }
+        }
+        // What is nearly zero is often zero; any solution will do, the bounds below hold for it.
+        let largest = self.solution.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
+        for z in self.solution.iter_mut().filter(|z| z.abs() < 2f64.powi(-80) * largest) {
+            *z = 0.0;
         }
         // Bounds of the final residual.
         self.residual.clear();
@@ -126,7 +132,8 @@ impl Solver {
         }
         let common = contraction / (1.0 - contraction) * largest * SLACK;
         self.radius.clear();
-        self.radius.extend(self.weighted.iter().map(|w| if w + common == 0.0 { 0.0 } else { (w + common) * SLACK + TINY }));
+        self.radius
+            .extend(self.weighted.iter().map(|w| if w + common == 0.0 { 0.0 } else { (w + common) * SLACK + TINY }));
         true
     }
 
@@ -218,7 +225,10 @@ mod tests {
     #[test]
     fn pivoting_finds_independent_rows() {
         let mut matrix = [1.0, 2.0, 3.0, 2.0, 4.0, 6.0, 0.0, 0.0, 1.0];
-        assert_eq!(pivots(&mut matrix.clone(), 3, 2).map(|(rows, _)| rows[..2].contains(&2) || rows[..2].contains(&1)), Some(true));
+        assert_eq!(
+            pivots(&mut matrix.clone(), 3, 2).map(|(rows, _)| rows[..2].contains(&2) || rows[..2].contains(&1)),
+            Some(true)
+        );
         assert!(pivots(&mut matrix, 3, 3).is_none());
     }
 }

@@ -3,10 +3,10 @@
 use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
 
-use super::h_polytope::check_bounded;
-use super::solve::dot_upper;
 use super::MAX_FACES;
 use super::error_free::{dot_compensated, dot_plain};
+use super::h_polytope::check_bounded;
+use super::solve::dot_upper;
 use crate::{IntervalVector, Matrix, Part, SetError};
 
 /// A polytope in vertex form with a box remainder, `conv { v_1, .., v_m } + [-r, r]`, shapes `V: n x m`, `r: n`.
@@ -135,7 +135,11 @@ impl VPolytope {
                 largest = if bound > largest || bound.is_nan() { bound } else { largest };
             }
         }
-        self.remainder.iter().zip(direction).filter(|(r, _)| **r != 0.0).fold(largest, |h, (&r, d)| add_up(h, mul_up(r, d.abs())))
+        self.remainder
+            .iter()
+            .zip(direction)
+            .filter(|(r, _)| **r != 0.0)
+            .fold(largest, |h, (&r, d)| add_up(h, mul_up(r, d.abs())))
     }
 
     /// The smallest box that contains the set.
@@ -175,7 +179,11 @@ impl VPolytope {
                 vertices[(i, j)] = value;
                 lost = if error > lost || error.is_nan() { error } else { lost };
             }
-            let carried = row.iter().zip(&self.remainder).filter(|(_, r)| **r != 0.0).fold(lost, |sum, (a, &r)| add_up(sum, mul_up(a.abs(), r)));
+            let carried = row
+                .iter()
+                .zip(&self.remainder)
+                .filter(|(_, r)| **r != 0.0)
+                .fold(lost, |sum, (a, &r)| add_up(sum, mul_up(a.abs(), r)));
             if !carried.is_finite() {
                 return Err(SetError::Overflow { row: i });
             }

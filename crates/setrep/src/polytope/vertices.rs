@@ -1,5 +1,7 @@
 //! From half-spaces to vertices.
 
+use scalars::rounding::{ETA, up};
+
 use super::cone::{Cone, Span, span};
 use super::exact::{quotient, scale_by_power};
 use super::incidence::{BitSets, is_subset, iter};
@@ -64,12 +66,17 @@ impl Vertices {
             Span::Full(basis) => basis,
             // The set holds a whole line through each of its points.
             Span::Columns(columns) => {
-                return Err(if reaches_up(&rows, &columns, max_vertices)? { SetError::Unbounded } else { SetError::EmptySet });
+                return Err(if reaches_up(&rows, &columns, max_vertices)? {
+                    SetError::Unbounded
+                } else {
+                    SetError::EmptySet
+                });
             }
         };
         let mut cone = Cone::enumerate(&rows, &basis, max_vertices)?;
         let live = core::mem::take(&mut cone.live);
-        let heights: Vec<_> = live.iter().map(|&ray| cone.rays.value(&rows, &cone.slots, ray as usize, 0).sign).collect();
+        let heights: Vec<_> =
+            live.iter().map(|&ray| cone.rays.value(&rows, &cone.slots, ray as usize, 0).sign).collect();
         if heights.iter().all(|height| height.is_le()) {
             return Err(SetError::EmptySet);
         }
@@ -151,14 +158,18 @@ impl Vertices {
             // Scaling is exact outside the subnormal range.
             let exact = mid == 0.0 && solver.solution[k] == 0.0 || mid.is_normal();
             self.mids[(k, j)] = mid;
-            self.radii[(k, j)] = if exact && solver.radius[k] == 0.0 { 0.0 } else { radius + f64::MIN_POSITIVE };
+            self.radii[(k, j)] = if exact && solver.radius[k] == 0.0 { 0.0 } else { up(radius) + 2.0 * ETA };
         }
         true
     }
 
     /// The enclosure of each vertex.
     pub(super) fn boxes(&self) -> Result<Vec<IntervalVector>, SetError> {
-        self.mids.columns().zip(self.radii.columns()).map(|(mid, radius)| IntervalVector::from_center(mid, radius)).collect()
+        self.mids
+            .columns()
+            .zip(self.radii.columns())
+            .map(|(mid, radius)| IntervalVector::from_center(mid, radius))
+            .collect()
     }
 
     /// The vertices at each row, and whether the set has interior points.
@@ -173,7 +184,8 @@ impl Vertices {
     pub(super) fn facets(&self, faces: &BitSets) -> Vec<usize> {
         let is_facet = |&i: &usize| {
             self.rows[i].is_some()
-                && (0..faces.len()).all(|k| k == i || !is_subset(faces.get(i), faces.get(k)) || faces.get(i) == faces.get(k) && i < k)
+                && (0..faces.len())
+                    .all(|k| k == i || !is_subset(faces.get(i), faces.get(k)) || faces.get(i) == faces.get(k) && i < k)
         };
         (0..faces.len()).filter(is_facet).collect()
     }

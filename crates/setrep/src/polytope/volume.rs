@@ -10,7 +10,7 @@
 use scalars::Interval;
 
 use super::facets::{Facets, Quality};
-use super::incidence::{BitSets, count, contains, is_subset, iter};
+use super::incidence::{BitSets, contains, count, is_subset, iter};
 use super::vertices::Vertices;
 use super::{HPolytope, MAX_FACES, VPolytope};
 use crate::SetError;
@@ -98,7 +98,8 @@ impl Triangulation<'_> {
 /// The facets of facet `i`: the largest of its intersections with the others.
 fn ridges_of(i: usize, facets: &[Vec<u64>], dim: usize) -> Vec<Vec<u64>> {
     let meet = |other: &Vec<u64>| other.iter().zip(&facets[i]).map(|(a, b)| a & b).collect::<Vec<u64>>();
-    let mut ridges: Vec<Vec<u64>> = facets.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, other)| meet(other)).collect();
+    let mut ridges: Vec<Vec<u64>> =
+        facets.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, other)| meet(other)).collect();
     ridges.retain(|ridge| count(ridge) as usize + 1 >= dim);
     ridges.sort_unstable_by_key(|ridge| core::cmp::Reverse(count(ridge)));
     let mut largest: Vec<Vec<u64>> = Vec::new();
@@ -159,13 +160,20 @@ impl VPolytope {
     /// As [`to_h_polytope`](Self::to_h_polytope); [`SetError::OverBudget`] for too many simplices.
     pub fn volume(&self) -> Result<Interval, SetError> {
         let n = self.dim();
-        let facets = Facets::enumerate(&self.vertices, MAX_FACES, if self.is_exact() { Quality::Incidence } else { Quality::Verified })?;
+        let facets = Facets::enumerate(
+            &self.vertices,
+            MAX_FACES,
+            if self.is_exact() { Quality::Incidence } else { Quality::Verified },
+        )?;
         let flat = facets.coordinates.len() < n;
         let inner = if flat {
             Interval::ZERO
         } else {
-            let points: Vec<Vec<Interval>> =
-                facets.points.iter().map(|&j| self.vertices.col(j).iter().map(|&x| Interval::point(x)).collect()).collect();
+            let points: Vec<Vec<Interval>> = facets
+                .points
+                .iter()
+                .map(|&j| self.vertices.col(j).iter().map(|&x| Interval::point(x)).collect())
+                .collect();
             let all: Vec<usize> = (0..facets.incidence.len()).collect();
             volume_of(n, &facets.incidence, &all, &points)?
         };

@@ -6,7 +6,10 @@ use setrep::{HPolytope, IntervalVector, Matrix, Part, SetError, VPolytope};
 #[test]
 fn constructors_check() {
     let nan = Matrix::from_rows(&[&[1.0, f64::NAN]]).unwrap();
-    assert!(matches!(HPolytope::new(nan.clone(), &[1.0]), Err(SetError::NonFinite { part: Part::Normals, row: 0, col: 1, .. })));
+    assert!(matches!(
+        HPolytope::new(nan.clone(), &[1.0]),
+        Err(SetError::NonFinite { part: Part::Normals, row: 0, col: 1, .. })
+    ));
     assert!(matches!(VPolytope::new(nan), Err(SetError::NonFinite { part: Part::Vertices, row: 0, col: 1, .. })));
     let infinite = HPolytope::new(Matrix::identity(2), &[1.0, f64::INFINITY]);
     assert!(matches!(infinite, Err(SetError::NonFinite { part: Part::Offsets, row: 1, .. })));
@@ -27,7 +30,8 @@ fn constructors_check() {
 
 #[test]
 fn operations_check() {
-    let (h, v) = (HPolytope::from_intervals(&[Interval::ONE; 2]).unwrap(), VPolytope::new(Matrix::identity(3)).unwrap());
+    let (h, v) =
+        (HPolytope::from_intervals(&[Interval::ONE; 2]).unwrap(), VPolytope::new(Matrix::identity(3)).unwrap());
     assert!(matches!(v.support(&[1.0]), Err(SetError::Dimension { part: Part::Direction, expected: 3, found: 1 })));
     assert!(matches!(v.support(&[1.0, f64::NAN, 0.0]), Err(SetError::NonFinite { part: Part::Direction, row: 1, .. })));
     assert!(matches!(v.linear_map(&Matrix::identity(2)), Err(SetError::Dimension { part: Part::Map, .. })));
@@ -38,7 +42,10 @@ fn operations_check() {
     assert!(matches!(h.membership(&IntervalVector::point(&[0.0])), Err(SetError::Dimension { part: Part::Point, .. })));
     assert!(matches!(v.membership(&[Interval::ENTIRE; 3]), Err(SetError::UnboundedInterval { part: Part::Point, .. })));
     let huge = VPolytope::new(Matrix::from_columns(&[&[1e308, 1e308], &[-1e308, 1e308]]).unwrap()).unwrap();
-    assert!(matches!(huge.linear_map(&Matrix::from_rows(&[&[1e10, 0.0]]).unwrap()), Err(SetError::Overflow { row: 0 })));
+    assert!(matches!(
+        huge.linear_map(&Matrix::from_rows(&[&[1e10, 0.0]]).unwrap()),
+        Err(SetError::Overflow { row: 0 })
+    ));
     assert!(matches!(huge.minkowski_sum_2d(&huge), Err(SetError::Overflow { .. })));
 }
 

@@ -40,7 +40,8 @@ fn hulls_of_points() {
         let n = random.between(1, 5);
         let m = random.between(1, 14);
         let entries = ALL_ENTRIES[case % 3];
-        let remainder: Vec<f64> = (0..n).map(|_| if case % 2 == 0 { 0.0 } else { random.unit().abs() * 1e-3 }).collect();
+        let remainder: Vec<f64> =
+            (0..n).map(|_| if case % 2 == 0 { 0.0 } else { random.unit().abs() * 1e-3 }).collect();
         let set = VPolytope::with_remainder(points(&mut random, n, m, entries), &remainder).unwrap();
         let half_spaces = set.to_h_polytope().unwrap();
         let hull = HPolytope::from_intervals(&set.interval_hull()).unwrap();
@@ -70,7 +71,7 @@ fn round_trips() {
         let wider: Vec<f64> = (0..set.num_half_spaces())
             .map(|i| {
                 let reach: f64 = (0..n).map(|k| set.normals()[(i, k)].abs() * vertices.remainder()[k]).sum();
-                set.offsets()[i] + 2.0 * reach
+                (set.offsets()[i] + 2.0 * reach).next_up()
             })
             .collect();
         let wider = HPolytope::new(set.normals().clone(), &wider).unwrap();
@@ -96,7 +97,9 @@ fn linear_maps() {
         for _ in 0..50 {
             let x = member(&mut random, &set);
             let y: Vec<Dyadic> = (0..p)
-                .map(|i| x.iter().enumerate().fold(Dyadic::zero(), |sum, (k, x)| &sum + &(&Dyadic::from(map[(i, k)]) * x)))
+                .map(|i| {
+                    x.iter().enumerate().fold(Dyadic::zero(), |sum, (k, x)| &sum + &(&Dyadic::from(map[(i, k)]) * x))
+                })
                 .collect();
             assert!(lies_in(&y, &half_spaces), "case {case}");
         }
@@ -108,7 +111,10 @@ fn planar_sums() {
     for case in 0..cases(400) {
         let mut random = Random::new(SEED + 3, case);
         let (m, k) = (random.between(1, 9), random.between(1, 9));
-        let (a, b) = (v_polytope(&mut random, 2, m, ALL_ENTRIES[case % 3]), v_polytope(&mut random, 2, k, ALL_ENTRIES[case / 3 % 3]));
+        let (a, b) = (
+            v_polytope(&mut random, 2, m, ALL_ENTRIES[case % 3]),
+            v_polytope(&mut random, 2, k, ALL_ENTRIES[case / 3 % 3]),
+        );
         let sum = a.minkowski_sum_2d(&b).unwrap();
         assert!(sum.num_vertices() <= m + k, "case {case}");
         let half_spaces = sum.to_h_polytope().unwrap();
@@ -119,7 +125,8 @@ fn planar_sums() {
         }
         // Support functions add, up to rounding: the sum is not larger than it must be.
         for direction in [[1.0, 0.0], [-0.3, 1.0], [0.5, -0.25], [-1.0, -1.0]] {
-            let (left, right) = (sum.support(&direction).unwrap(), a.support(&direction).unwrap() + b.support(&direction).unwrap());
+            let (left, right) =
+                (sum.support(&direction).unwrap(), a.support(&direction).unwrap() + b.support(&direction).unwrap());
             let scale = 1.0 + a.interval_hull().iter().chain(b.interval_hull().iter()).map(|x| x.mag()).sum::<f64>();
             assert!((left - right).abs() <= 1e-14 * scale, "case {case}: {left} {right}");
         }

@@ -11,7 +11,7 @@ use crate::samples::{ALL_ENTRIES, Entries, cases, h_polytope, v_polytope};
 const SEED: u64 = 20_261_122;
 
 /// Polytopes for one dimension: half-spaces beside the box, or points beside a simplex.
-const SIZES: [(usize, usize, usize); 5] = [(2, 60, 8), (3, 40, 7), (4, 12, 5), (5, 4, 3), (6, 2, 2)];
+const SIZES: [(usize, usize, usize); 5] = [(2, 40, 7), (3, 20, 5), (4, 6, 3), (5, 2, 1), (6, 1, 0)];
 
 /// `lo <= x <= hi`, and the middle within `1e-12 x`.
 pub(crate) fn assert_encloses(volume: Interval, exact: &Q) {
@@ -30,9 +30,13 @@ fn every_vertex_is_found_once_and_enclosed() {
                 let exact = oracle::vertices(&set);
                 let vertices = set.to_v_polytope().unwrap();
                 assert_eq!(vertices.num_vertices(), exact.len(), "n {n} case {case} {entries:?}");
-                for vertex in &exact {
-                    assert!(oracle::matches_one_column(vertex, &vertices), "n {n} case {case} {entries:?}");
-                }
+                assert!(oracle::match_columns(&exact, &vertices), "n {n} case {case} {entries:?}");
+                let (volume, again) = (set.volume().unwrap(), vertices.volume().unwrap());
+                assert!(!volume.disjoint(&again) && volume.lo() > 0.0, "n {n} case {case} {entries:?}");
+                assert!(
+                    volume.width().max(again.width()) <= 1e-10 * volume.hi(),
+                    "n {n} case {case} {volume:?} {again:?}"
+                );
                 for k in 0..n {
                     let extent = vertices.vertices().columns().map(|v| v[k].abs()).fold(0.0, f64::max);
                     assert!(vertices.remainder()[k] <= 1e-15 * extent, "loose: n {n} case {case} {entries:?}");
@@ -73,7 +77,10 @@ fn every_facet_is_found_once_and_contains_the_points() {
                 let half_spaces = set.to_h_polytope().unwrap();
                 if exact.len() != half_spaces.num_half_spaces() {
                     // Flat sets: the brute force finds other hyperplanes, the library pairs of opposite half-spaces.
-                    assert!(entries == Entries::Coarse && set.volume().unwrap() == Interval::ZERO, "n {n} case {case} {entries:?}");
+                    assert!(
+                        entries == Entries::Coarse && set.volume().unwrap() == Interval::ZERO,
+                        "n {n} case {case} {entries:?}"
+                    );
                     continue;
                 }
                 for v in set.vertices().columns() {
@@ -94,9 +101,14 @@ fn every_facet_is_found_once_and_contains_the_points() {
                 }
                 let slim = set.remove_redundant().unwrap();
                 assert_eq!(oracle::facets(slim.vertices()).0, exact, "n {n} case {case} {entries:?}");
-                if slim.num_vertices() > n + 1 {
-                    let fewer = setrep::Matrix::from_columns(&slim.vertices().columns().skip(1).collect::<Vec<_>>()).unwrap();
-                    assert_ne!(oracle::facets(&fewer).0, exact, "a column that is no vertex: n {n} case {case} {entries:?}");
+                if slim.num_vertices() > n + 1 && case < 4 {
+                    let fewer =
+                        setrep::Matrix::from_columns(&slim.vertices().columns().skip(1).collect::<Vec<_>>()).unwrap();
+                    assert_ne!(
+                        oracle::facets(&fewer).0,
+                        exact,
+                        "a column that is no vertex: n {n} case {case} {entries:?}"
+                    );
                 }
             }
         }
@@ -107,7 +119,7 @@ fn every_facet_is_found_once_and_contains_the_points() {
 #[test]
 fn emptiness_is_decided() {
     let (mut empty, mut unbounded, mut bounded) = (0, 0, 0);
-    for case in 0..cases(600) {
+    for case in 0..cases(300) {
         let mut random = Random::new(SEED + 1, case);
         let n = random.between(1, 3);
         let m = random.between(n, n + 4);
@@ -149,5 +161,5 @@ fn emptiness_is_decided() {
             Err(error) => panic!("case {case}: {error}"),
         }
     }
-    assert!(empty > 20 && unbounded > 20 && bounded > 20, "{empty} {unbounded} {bounded}");
+    assert!(empty > 10 && unbounded > 10 && bounded > 10, "{empty} {unbounded} {bounded}");
 }

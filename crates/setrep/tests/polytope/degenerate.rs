@@ -58,10 +58,12 @@ fn flat_half_spaces() {
     assert_eq!(set.volume().unwrap(), Interval::ZERO);
     assert_eq!(set.remove_redundant().unwrap().to_v_polytope().unwrap().num_vertices(), 4);
     // One ulp apart the wrong way: empty, and two rows say why.
-    let apart = HPolytope::new(Matrix::from_rows(&rows).unwrap(), &[1.0, 0.0, 1.0, 0.0, third, -third.next_up()]).unwrap();
+    let apart =
+        HPolytope::new(Matrix::from_rows(&rows).unwrap(), &[1.0, 0.0, 1.0, 0.0, third, -third.next_up()]).unwrap();
     assert_eq!(apart.emptiness().unwrap(), Emptiness::ProvenEmpty { rows: vec![4, 5] });
     // One ulp apart the other way: a slab of that thickness.
-    let slab = HPolytope::new(Matrix::from_rows(&rows).unwrap(), &[1.0, 0.0, 1.0, 0.0, third, -third.next_down()]).unwrap();
+    let slab =
+        HPolytope::new(Matrix::from_rows(&rows).unwrap(), &[1.0, 0.0, 1.0, 0.0, third, -third.next_down()]).unwrap();
     assert_eq!(slab.to_v_polytope().unwrap().num_vertices(), 8);
     assert!(slab.volume().unwrap().contains(third - third.next_down()));
 }
@@ -90,12 +92,18 @@ fn duplicates_and_inner_points_change_nothing() {
 #[test]
 fn scales_of_all_sizes() {
     for scale in [1e-300, 1e-150, 1e-20, 1e20, 1e150, 1e300] {
-        let sides = vec![Interval::new(-scale, 0.5 * scale).unwrap(), Interval::new(-1.0, 2.0).unwrap(), Interval::new(0.0, 3.0 * scale).unwrap()];
+        let sides = vec![
+            Interval::new(-scale, 0.5 * scale).unwrap(),
+            Interval::new(-1.0, 2.0).unwrap(),
+            Interval::new(0.0, 3.0 * scale).unwrap(),
+        ];
         let corners = VPolytope::from_intervals(&sides).unwrap();
         let half_spaces = corners.to_h_polytope().unwrap();
         assert_eq!(half_spaces.num_half_spaces(), 6, "{scale}");
         assert_eq!(half_spaces.interval_hull().unwrap(), IntervalVector::new(sides.clone()), "{scale}");
-        let oblique = corners.linear_map(&Matrix::from_rows(&[&[1.0, scale, 0.0], &[0.0, 1.0, 0.0], &[0.5, 0.0, 1.0]]).unwrap()).unwrap();
+        let oblique = corners
+            .linear_map(&Matrix::from_rows(&[&[1.0, scale, 0.0], &[0.0, 1.0, 0.0], &[0.5, 0.0, 1.0]]).unwrap())
+            .unwrap();
         let half_spaces = oblique.to_h_polytope().unwrap();
         for v in oblique.vertices().columns() {
             assert!(lies_in(&v.iter().map(|&x| q(x)).collect::<Vec<Q>>(), &half_spaces), "{scale}");
@@ -122,7 +130,13 @@ fn far_away_sets() {
 #[test]
 fn nearly_degenerate_boxes() {
     let (c, s) = (0.6_f64.cos(), 0.6_f64.sin());
-    let turn = Matrix::from_rows(&[&[c, -s, 0.0, 0.0], &[s * c, c * c, -s, 0.0], &[s * s, c * s, c, 0.1], &[0.3, 0.0, 0.0, 1.0]]).unwrap();
+    let turn = Matrix::from_rows(&[
+        &[c, -s, 0.0, 0.0],
+        &[s * c, c * c, -s, 0.0],
+        &[s * s, c * s, c, 0.1],
+        &[0.3, 0.0, 0.0, 1.0],
+    ])
+    .unwrap();
     let cube = VPolytope::from_intervals(&[Interval::new(-1.0, 1.0).unwrap(); 4]).unwrap();
     let turned = cube.linear_map(&turn).unwrap();
     let half_spaces = turned.to_h_polytope().unwrap();

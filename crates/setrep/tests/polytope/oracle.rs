@@ -89,7 +89,8 @@ pub(crate) fn vertices(polytope: &HPolytope) -> Vec<Vec<Q>> {
 /// the first point over those facets that are simplices (all of them for points in general position).
 pub(crate) fn facets(points: &Matrix) -> (Vec<Vec<Q>>, Q) {
     let (n, m) = (points.rows(), points.cols());
-    let lifted: Vec<Vec<Q>> = points.columns().map(|v| std::iter::once(-Q::one()).chain(v.iter().map(|&x| q(x))).collect()).collect();
+    let lifted: Vec<Vec<Q>> =
+        points.columns().map(|v| std::iter::once(-Q::one()).chain(v.iter().map(|&x| q(x))).collect()).collect();
     let mut found = Vec::new();
     let mut sum = Q::zero();
     for subset in subsets(m, n) {
@@ -126,8 +127,10 @@ pub(crate) fn facets(points: &Matrix) -> (Vec<Vec<Q>>, Q) {
 
 /// `det [v_j - v_origin]`.
 fn determinant(points: &Matrix, origin: usize, columns: &[usize]) -> Q {
-    let mut rows: Vec<Vec<Q>> =
-        columns.iter().map(|&j| points.col(j).iter().zip(points.col(origin)).map(|(&x, &o)| q(x) - q(o)).collect()).collect();
+    let mut rows: Vec<Vec<Q>> = columns
+        .iter()
+        .map(|&j| points.col(j).iter().zip(points.col(origin)).map(|(&x, &o)| q(x) - q(o)).collect())
+        .collect();
     let n = rows.len();
     let mut product = Q::one();
     for k in 0..n {
@@ -158,10 +161,13 @@ pub(crate) fn lies_in(point: &[Q], polytope: &HPolytope) -> bool {
     half_spaces(polytope).iter().all(|(a, b)| dot(a, point) <= *b)
 }
 
-/// Whether the point is within the remainder of exactly one column.
-pub(crate) fn matches_one_column(point: &[Q], polytope: &VPolytope) -> bool {
-    let near = |v: &[f64]| v.iter().zip(point).zip(polytope.remainder()).all(|((&v, x), &r)| (q(v) - x).abs() <= q(r));
-    polytope.vertices().columns().filter(|v| near(v)).count() == 1
+/// Whether points and columns match up: each within the remainder of some of the others, and as many.
+pub(crate) fn match_columns(points: &[Vec<Q>], polytope: &VPolytope) -> bool {
+    let near =
+        |x: &Vec<Q>, v: &[f64]| v.iter().zip(x).zip(polytope.remainder()).all(|((&v, x), &r)| (q(v) - x).abs() <= q(r));
+    points.len() == polytope.num_vertices()
+        && points.iter().all(|x| polytope.vertices().columns().any(|v| near(x, v)))
+        && polytope.vertices().columns().all(|v| points.iter().any(|x| near(x, v)))
 }
 
 /// The nearest float.

@@ -57,7 +57,11 @@ pub(crate) fn h_polytope(random: &mut Random, n: usize, extra: usize, entries: E
         for k in 0..n {
             normals[(i, k)] = draw(random, entries) / unit(entries, k);
         }
-        offsets[i] = if entries == Entries::Coarse { random.between(1, 4) as f64 / 4.0 } else { 0.3 + 0.3 * draw(random, entries).abs() };
+        offsets[i] = if entries == Entries::Coarse {
+            random.between(1, 4) as f64 / 4.0
+        } else {
+            0.3 + 0.3 * draw(random, entries).abs()
+        };
     }
     HPolytope::new(normals, &offsets).unwrap()
 }
