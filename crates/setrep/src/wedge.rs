@@ -31,9 +31,9 @@ pub(crate) struct Wedge<S> {
 }
 
 impl<S: Scalar> Wedge<S> {
-    /// Tables for products of `k <= n` columns in `R^n`.
+    /// Tables for products of `k <= n` columns in `R^n`, for an `n` that [`subset_count`] admits.
     pub(crate) fn new(n: usize, k: usize) -> Self {
-        let subsets: Vec<Vec<u64>> = (0..=k).map(|d| row_subsets(n, d)).collect();
+        let subsets: Vec<Vec<u32>> = (0..=k).map(|d| row_subsets(n, d)).collect();
         let terms = subsets.windows(2).map(|pair| expansion(&pair[0], &pair[1])).collect();
         let mut minors: Vec<Vec<S>> = subsets.iter().map(|level| vec![S::zero(); level.len()]).collect();
         minors[0][0] = S::one();
@@ -101,13 +101,19 @@ pub(crate) fn normal_from_minors<S: Scalar>(minors: &[S], normal: &mut [S]) {
     }
 }
 
-/// Number of `k`-subsets of `m` things, saturating.
-pub(crate) fn binomial(m: usize, k: usize) -> u64 {
+/// Most dimensions whose tables of minors are built: they grow as `n 2^n`.
+const MAX_DIM: usize = 14;
+
+/// Number of `k`-subsets of `m` columns in `R^n`, saturating; saturated where the dimension is too large for the tables.
+pub(crate) fn subset_count(n: usize, m: usize, k: usize) -> u64 {
+    if n > MAX_DIM {
+        return u64::MAX;
+    }
     if k > m {
         return 0;
     }
     let mut count: u128 = 1;
-    for i in 0..k.min(m - k) {
+    for i in 0..k {
         count = count * (m - i) as u128 / (i + 1) as u128;
         if count > u64::MAX.into() {
             return u64::MAX;
@@ -116,31 +122,20 @@ pub(crate) fn binomial(m: usize, k: usize) -> u64 {
     count as u64
 }
 
-/// The `d`-subsets of `0..n` as bit masks, in lexicographic order of their rows.
-fn row_subsets(n: usize, d: usize) -> Vec<u64> {
-    fn grow(n: usize, d: usize, from: usize, mask: u64, out: &mut Vec<u64>) {
-        if d == 0 {
-            out.push(mask);
-            return;
-        }
-        for i in from..n {
-            grow(n, d - 1, i + 1, mask | 1 << i, out);
-        }
-    }
-    let mut out = Vec::new();
-    grow(n, d, 0, 0, &mut out);
-    out
+/// The `d`-subsets of `0..n` as bit masks, ascending.
+fn row_subsets(n: usize, d: usize) -> Vec<u32> {
+    (0..1_u32 << n).filter(|rows| rows.count_ones() as usize == d).collect()
 }
 
 /// The Laplace expansion along an appended column, between the row subsets of two sizes.
-fn expansion(from: &[u64], to: &[u64]) -> Vec<Term> {
+fn expansion(from: &[u32], to: &[u32]) -> Vec<Term> {
     let mut terms = Vec::new();
     for (target, &subset) in to.iter().enumerate() {
-        let rows = (0..64).filter(|i| subset >> i & 1 == 1);
+        let rows = (0..32).filter(|i| subset >> i & 1 == 1);
         let last = subset.count_ones() as usize - 1;
         for (position, row) in rows.enumerate() {
             let rest = subset & !(1 << row);
-            if let Some(source) = from.iter().position(|&s| s == rest) {
+            if let Ok(source) = from.binary_search(&rest) {
                 terms.push(Term { target, source, row, negative: (last - position) % 2 == 1 });
             }
         }

@@ -7,11 +7,12 @@ use crate::support::oracle::Fixed;
 use crate::support::random::Random;
 
 fn argument(random: &mut Random) -> f64 {
-    match random.below(5) {
+    match random.below(6) {
         0 => random.log_uniform(-300.0, 0.0),
         1 => random.uniform(-20.0, 20.0),
         2 => random.uniform(0.0, 500.0),
         3 => random.uniform(-200.0, 20.0),
+        4 => random.uniform(0.0, 100.0), // past the first minima of C_1 and C_2
         _ => [0.0, 1.0, -1.0, 16.0, -16.0, 20.0, 64.0, 80.0][random.below(8) as usize],
     }
 }

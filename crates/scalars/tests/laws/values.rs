@@ -112,3 +112,31 @@ fn pi_lies_between_neighbours() {
 fn this_process_rounds_to_nearest() {
     assert!(fp_env_ok());
 }
+
+/// Boxes with the origin on an edge or at a corner: the angles of their other points.
+#[test]
+fn angles_of_boxes_at_the_origin() {
+    let (up, left) = (Interval::new(0.0, 1.0).unwrap(), Interval::new(-1.0, 0.0).unwrap());
+    let (pi, quarter) = (Interval::PI, Interval::FRAC_PI_2);
+    let close = |angle: Interval, lo: f64, hi: f64| {
+        angle.lo() <= lo && hi <= angle.hi() && angle.lo() > lo - 1e-15 && angle.hi() < hi + 1e-15
+    };
+    assert!(close(up.atan2(left), quarter.lo(), pi.lo()) && close(up.atan2(up), 0.0, quarter.lo()));
+    assert!(close(left.atan2(up), -quarter.lo(), 0.0) && close(up.atan2(up.hull(left)), 0.0, pi.lo()));
+    assert!(close(left.hull(up).atan2(up), -quarter.lo(), quarter.lo()));
+    assert_eq!(left.atan2(left), pi.hull(-pi));
+    assert_eq!((Interval::ZERO.atan2(up), Interval::ZERO.atan2(left)), (Interval::ZERO, pi));
+    assert!(close(up.atan2(Interval::ZERO), quarter.lo(), quarter.lo()));
+    assert!(Interval::ZERO.atan2(Interval::ZERO).is_empty());
+}
+
+/// An interval is not in the interior of one that shares a bound with it, unless that bound is infinite.
+#[test]
+fn interiors_leave_out_the_bounds() {
+    let interval = |lo, hi| Interval::new(lo, hi).unwrap();
+    assert!(interval(1.0, 2.0).interior_of(&interval(0.0, 3.0)) && interval(1.0, INF).interior_of(&interval(0.0, INF)));
+    assert!(
+        !interval(1.0, 2.0).interior_of(&interval(1.0, 3.0)) && !interval(1.0, 2.0).interior_of(&interval(0.0, 2.0))
+    );
+    assert!(Interval::ENTIRE.interior_of(&Interval::ENTIRE) && Interval::EMPTY.interior_of(&Interval::EMPTY));
+}

@@ -3,7 +3,7 @@
 use core::ops::ControlFlow;
 
 use super::membership::{FACET_LIMIT, distinct_directions};
-use crate::wedge::{Wedge, binomial, normal_from_minors};
+use crate::wedge::{Wedge, normal_from_minors, subset_count};
 use crate::{Part, SetError, Zonotope};
 
 impl Zonotope {
@@ -13,7 +13,8 @@ impl Zonotope {
     /// flat and the point off its plane (by more than `1e-12` of the point's distance).
     ///
     /// # Errors
-    /// [`SetError::Dimension`], [`SetError::NonFinite`], [`SetError::TooManySubsets`] beyond [`FACET_LIMIT`] normals.
+    /// [`SetError::Dimension`], [`SetError::NonFinite`], [`SetError::TooManySubsets`] beyond [`FACET_LIMIT`] normals or
+    /// 14 dimensions.
     ///
     /// ```
     /// # use setrep::Zonotope;
@@ -26,7 +27,7 @@ impl Zonotope {
         SetError::check_size(Part::Point, n, point.len())?;
         SetError::check_finite(Part::Point, n, point)?;
         let directions = distinct_directions(self);
-        let subsets = binomial(directions.len() / n, n - 1);
+        let subsets = subset_count(n, directions.len() / n, n - 1);
         if subsets > FACET_LIMIT {
             return Err(SetError::TooManySubsets { subsets, limit: FACET_LIMIT });
         }

@@ -6,7 +6,7 @@ use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
 
 use crate::bounds::gamma;
-use crate::wedge::{Wedge, binomial, normal_from_minors};
+use crate::wedge::{Wedge, normal_from_minors, subset_count};
 use crate::{Part, SetError, Zonotope};
 
 /// Most facet normals, `C(ng + n, n - 1)`, that [`Zonotope::membership`] and [`Zonotope::gauge_approx`] enumerate.
@@ -29,14 +29,14 @@ pub enum Membership {
 impl Zonotope {
     /// Whether a point, known to lie in a box `P`, lies in the set: inside if `P` is a subset, outside if `P` is disjoint from it.
     ///
-    /// Three tests in order of cost: the interval hull; a witness `xi` with `p - c - G xi` absorbed by `r` or by a proven correction
-    /// of `xi`; and all facets, `|l'(p - c)| <= sum_j |l'g_j| + |l|'r` for every normal `l` of `n - 1` columns of `[G I]`, in floating
-    /// point with a rigorous error bound and in interval arithmetic where that does not decide. The columns of `I` make the facets
-    /// complete for flat sets and for the box remainder.
+    /// Three tests in order of cost: the interval hull; a witness `xi` found in floating point whose residual `p - c - G xi` a proven
+    /// correction takes up; and all facets, `|l'(p - c)| <= sum_j |l'g_j| + |l|'r` for every normal `l` of `n - 1` columns of `[G I]`,
+    /// in floating point with a rigorous error bound and in interval arithmetic where that does not decide. The columns of `I` make
+    /// the facets complete for flat sets and for the box remainder.
     ///
     /// **Guarantee:** both proofs hold for the exact set and every point of `P`. Points nearer to the boundary than rounding are
     /// [`Undecided`](Membership::Undecided); so are points that only the facets could decide when there are more than
-    /// [`FACET_LIMIT`] of them, or (`n >= 4`) beside facets whose generators are linearly dependent.
+    /// [`FACET_LIMIT`] of them or 14 dimensions, or (`n >= 4`) beside facets whose generators are linearly dependent.
     ///
     /// # Errors
     /// [`SetError::Dimension`]; [`SetError::UnboundedInterval`] for an empty or unbounded side.
@@ -62,7 +62,7 @@ impl Zonotope {
         }
         let n = self.dim();
         let directions = distinct_directions(self);
-        if binomial(directions.len() / n, n - 1) > FACET_LIMIT {
+        if subset_count(n, directions.len() / n, n - 1) > FACET_LIMIT {
             return Ok(Membership::Undecided);
         }
         Ok(self.test_facets(&query, &directions))

@@ -32,8 +32,8 @@ pub(super) fn eigenvectors(a: &mut [f64], n: usize, vectors: &mut Vec<f64>) {
 /// One rotation in the plane `(p, q)` that annihilates `a_pq`.
 fn rotate(a: &mut [f64], n: usize, vectors: &mut [f64], p: usize, q: usize) {
     let theta = (a[q * n + q] - a[p * n + p]) / (2.0 * a[q * n + p]);
-    let t = theta.signum() / (theta.abs() + theta.hypot(1.0));
-    let c = 1.0 / t.hypot(1.0);
+    let t = theta.signum() / (theta.abs() + (1.0 + theta * theta).sqrt());
+    let c = 1.0 / (1.0 + t * t).sqrt();
     let s = t * c;
     for k in 0..n {
         (a[p * n + k], a[q * n + k]) = (c * a[p * n + k] - s * a[q * n + k], s * a[p * n + k] + c * a[q * n + k]);

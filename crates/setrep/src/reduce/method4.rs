@@ -6,7 +6,7 @@
 //! column `j` is that of `R_ij / d_i`. The columns that stay are the original ones.
 //!
 //! **Source:** Chisci, Garulli, Zappa 1996; Scott, Raimondo, Marseglia, Braatz 2016; Yang and Scott 2018, method 4. Enclosure for a
-//! computed `R`: [`frame`](super::frame).
+//! computed `R`: [`frame`].
 
 use super::{combastel, frame};
 use crate::{SetError, Workspace, Zonotope};
@@ -65,9 +65,9 @@ fn pivot(set: &Zonotope, workspace: &mut Workspace) -> bool {
 
 /// Makes column `col` the unit vector of `row` by row operations.
 fn eliminate(a: &mut [f64], n: usize, row: usize, col: usize) {
-    let pivot = a[col * n + row];
+    let inverse = 1.0 / a[col * n + row];
     for j in (0..a.len() / n).filter(|&j| j != col) {
-        let share = a[j * n + row] / pivot;
+        let share = a[j * n + row] * inverse;
         for i in 0..n {
             if i != row {
                 a[j * n + i] -= share * a[col * n + i];
@@ -83,26 +83,26 @@ fn eliminate(a: &mut [f64], n: usize, row: usize, col: usize) {
 /// Adds the `count` cheapest columns to the selected ones, and fills the coordinates of all selected columns in ascending order.
 fn absorb_cheapest(set: &Zonotope, count: usize, workspace: &mut Workspace) {
     let n = set.dim();
-    let Workspace { matrix: r, selected, scales, keys, coordinates, .. } = workspace;
+    let Workspace { matrix: r, selected, scales, row_sums: inverses, keys, coordinates, .. } = workspace;
     scales.clear();
     scales.resize(n, 1.0);
+    inverses.clear();
+    inverses.resize(n, 1.0);
     // The columns that are still outside.
     keys.clear();
     keys.extend((0..set.num_generators()).filter(|j| !selected.contains(j)).map(|j| j as u64));
-    for _ in 0..count {
+    for _ in 0..count.min(keys.len()) {
         let (mut least, mut choice) = (f64::INFINITY, 0);
         for (position, &j) in keys.iter().enumerate() {
-            let cost = growth(&r[j as usize * n..][..n], scales);
+            let cost = growth(&r[j as usize * n..][..n], inverses);
             if cost < least {
                 (least, choice) = (cost, position);
             }
         }
-        if choice >= keys.len() {
-            break;
-        }
         let j = keys.swap_remove(choice) as usize;
-        for (d, x) in scales.iter_mut().zip(&r[j * n..][..n]) {
+        for ((d, inverse), x) in scales.iter_mut().zip(inverses.iter_mut()).zip(&r[j * n..][..n]) {
             *d += x.abs();
+            *inverse = 1.0 / *d;
         }
         selected.push(j);
     }
@@ -111,11 +111,11 @@ fn absorb_cheapest(set: &Zonotope, count: usize, workspace: &mut Workspace) {
     coordinates.extend(selected.iter().flat_map(|&j| &r[j * n..][..n]));
 }
 
-/// `prod_i (1 + x_i) - (1 + sum_i x_i)` for `x_i = |r_i| / d_i`, without cancellation.
-fn growth(r: &[f64], scales: &[f64]) -> f64 {
+/// `prod_i (1 + x_i) - (1 + sum_i x_i)` for `x_i = |r_i| / d_i`, without cancellation, given the `1 / d_i`.
+fn growth(r: &[f64], inverses: &[f64]) -> f64 {
     let (mut sum, mut higher) = (0.0, 0.0);
-    for (r, d) in r.iter().zip(scales) {
-        let x = r.abs() / d;
+    for (r, inverse) in r.iter().zip(inverses) {
+        let x = r.abs() * inverse;
         higher += x * (sum + higher);
         sum += x;
     }
