@@ -18,9 +18,9 @@
 use core::cmp::Ordering;
 
 use super::exact::Echelon;
-use super::incidence::{common, count, is_subset};
+use super::incidence::{common, count, is_subset, iter};
 use super::rays::{Rays, Value};
-use super::rows::Rows;
+use super::rows::{FacetRows, Rows};
 use super::solve::{Solver, pivots};
 use crate::SetError;
 
@@ -39,7 +39,7 @@ pub(super) enum Span {
 }
 
 /// Independent rows, exactly. `first` comes first where the rank is not full.
-pub(super) fn span(rows: &Rows, first: Option<usize>) -> Span {
+pub(super) fn span(rows: &Rows<'_>, first: Option<usize>) -> Span {
     let dim = rows.dim();
     if let Some((order, _)) = pivots(&mut rows.scaled().to_vec(), dim, dim) {
         let basis: Vec<usize> = order[..dim].to_vec();
@@ -66,7 +66,7 @@ pub(super) fn span(rows: &Rows, first: Option<usize>) -> Span {
 
 /// The extreme rays of a pointed cone.
 pub(super) struct Cone<'a> {
-    rows: &'a Rows,
+    rows: &'a Rows<'a>,
     /// Ray storage; only `live` slots count.
     pub(super) rays: Rays,
     /// Slots of the extreme rays.
@@ -96,7 +96,7 @@ impl<'a> Cone<'a> {
     ///
     /// # Errors
     /// [`SetError::OverBudget`] if more than `max_rays` rays are alive at some stage, or pairing them takes too long.
-    pub(super) fn enumerate(rows: &'a Rows, basis: &[usize], max_rays: usize) -> Result<Self, SetError> {
+    pub(super) fn enumerate(rows: &'a Rows<'a>, basis: &[usize], max_rays: usize) -> Result<Self, SetError> {
         Self::enumerate_first(rows, basis, rows.len(), max_rays)
     }
 
@@ -105,16 +105,24 @@ impl<'a> Cone<'a> {
     /// # Errors
     /// As [`enumerate`](Self::enumerate).
     pub(super) fn enumerate_first(
-        rows: &'a Rows,
+        rows: &'a Rows<'a>,
         basis: &[usize],
         count: usize,
         max_rays: usize,
     ) -> Result<Self, SetError> {
-        let mut cone = Self {
+        let mut cone = Self::empty(rows, basis.iter().map(|&i| i as u32).collect(), max_rays);
+        cone.start();
+        cone.run(0..count)?;
+        Ok(cone)
+    }
+
+    /// No rays, and some rows that count as inserted.
+    fn empty(rows: &'a Rows<'a>, slots: Vec<u32>, max_rays: usize) -> Self {
+        Self {
             rows,
-            rays: Rays::new(rows.dim(), 64.min(rows.len())),
+            rays: Rays::new(rows.dim(), slots.len().max(64)),
             live: Vec::new(),
-            slots: basis.iter().map(|&i| i as u32).collect(),
+            slots,
             free: Vec::new(),
             keys: Vec::new(),
             counts: Vec::new(),
@@ -128,17 +136,27 @@ impl<'a> Cone<'a> {
             table: Table::default(),
             max_rays,
             work: 0,
-        };
-        cone.rays.tight.grow_universe(basis.len());
-        cone.start(count);
-        while let Some(row) = cone.waiting.take_worst() {
-            cone.insert(row as usize)?;
         }
-        Ok(cone)
+    }
+
+    /// Inserts the rows of a range that are not inserted yet, those that cut off the most first.
+    fn run(&mut self, range: core::ops::Range<usize>) -> Result<(), SetError> {
+        let everyone = self.live.clone();
+        for row in range {
+            if !self.slots.contains(&(row as u32)) && self.rows.norm(row) > 0.0 {
+                self.waiting.rows.push(row as u32);
+                self.find_witness(row, &everyone);
+            }
+        }
+        self.waiting.drop_settled();
+        while let Some(row) = self.waiting.take_worst() {
+            self.insert(row as usize)?;
+        }
+        Ok(())
     }
 
     /// The simplicial cone of the basis: ray `i` is tight at all of it but constraint `i`.
-    fn start(&mut self, count: usize) {
+    fn start(&mut self) {
         let dim = self.rows.dim();
         for i in 0..dim {
             let ray = self.new_ray();
@@ -150,14 +168,34 @@ impl<'a> Cone<'a> {
             self.live.push(ray as u32);
             self.rays.solve(self.rows, &self.slots, ray);
         }
-        let everyone = self.live.clone();
-        for row in 0..count {
-            if !self.slots.contains(&(row as u32)) && self.rows.norm(row) > 0.0 {
-                self.waiting.rows.push(row as u32);
-                self.find_witness(row, &everyone);
+    }
+
+    /// Cuts the hull of some points, given with its facets as the first rows, by the other rows. `extreme` lists its vertices as members
+    /// of the incidence; ray `i` starts as the `i`-th of them.
+    ///
+    /// # Errors
+    /// As [`enumerate`](Self::enumerate).
+    pub(super) fn cut(
+        rows: &'a Rows<'a>,
+        facets: &FacetRows,
+        extreme: &[usize],
+        max_rays: usize,
+    ) -> Result<Self, SetError> {
+        let count = facets.incidence.len();
+        let mut cone = Self::empty(rows, (0..count as u32).collect(), max_rays);
+        let facets_of = facets.incidence.transpose(facets.columns.len());
+        for &k in extreme {
+            let ray = cone.new_ray();
+            for facet in iter(facets_of.get(k)) {
+                cone.rays.tight.insert(ray, facet);
+                cone.keys[ray] ^= slot_key(facet);
+                cone.counts[ray] += 1;
             }
+            cone.rays.set_exact(ray, &facets.points, facets.columns[k]);
+            cone.live.push(ray as u32);
         }
-        self.waiting.drop_settled();
+        cone.run(count..rows.len())?;
+        Ok(cone)
     }
 
     fn new_ray(&mut self) -> usize {
@@ -293,12 +331,12 @@ impl<'a> Cone<'a> {
         let mut pairs = Vec::new();
         self.table.reset(simple_minus.len() * (dim as usize - 1));
         for &ray in &simple_minus {
-            for slot in super::incidence::iter(tight.get(ray as usize)) {
+            for slot in iter(tight.get(ray as usize)) {
                 self.table.insert(self.keys[ray as usize] ^ slot_key(slot), ray);
             }
         }
         for &p in &simple_near {
-            for slot in super::incidence::iter(tight.get(p as usize)) {
+            for slot in iter(tight.get(p as usize)) {
                 self.table.find(self.keys[p as usize] ^ slot_key(slot), |n| {
                     if common(tight.get(p as usize), tight.get(n as usize)) == shared {
                         pairs.push((p, n));

@@ -178,6 +178,28 @@ impl Echelon {
     }
 }
 
+/// The ray on which the `tight` rows vanish and the `loose` ones are not negative, primitive. `None` if it is not unique.
+pub(super) fn ray_of<'a>(
+    dim: usize,
+    tight: impl Iterator<Item = &'a [BigInt]>,
+    mut loose: impl Iterator<Item = &'a [BigInt]>,
+) -> Option<Box<[BigInt]>> {
+    let mut echelon = Echelon::new(dim);
+    for row in tight {
+        echelon.push(row);
+        if echelon.rank() + 1 == dim {
+            break;
+        }
+    }
+    let mut ray = echelon.null_vector()?;
+    if loose.find_map(|row| Some(sign(&dot(row, &ray))).filter(|sign| sign.is_ne())) == Some(Ordering::Less) {
+        for x in &mut ray {
+            *x = -core::mem::take(x);
+        }
+    }
+    Some(ray)
+}
+
 /// Divides by the greatest common divisor.
 pub(super) fn make_primitive(y: &mut [BigInt]) {
     let mut divisor = BigInt::zero();

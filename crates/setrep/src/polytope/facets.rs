@@ -44,13 +44,20 @@ pub(super) struct Facets {
     pub(super) points: Vec<usize>,
     /// `dim J + 1` affinely independent columns.
     pub(super) basis: Vec<usize>,
+    /// The constraints `(1, v_J - s_J)`, one a column.
+    pub(super) rows: Rows<'static>,
 }
 
 impl Facets {
-    /// The facets of the convex hull of the columns, with exact combinatorics.
-    pub(super) fn enumerate(vertices: &Matrix, max_facets: usize, quality: Quality) -> Result<Self, SetError> {
+    /// The facets of the convex hull of the columns, with exact combinatorics, seen from the origin `s = shift`: zero or
+    /// [`exact_shift`].
+    pub(super) fn enumerate(
+        vertices: &Matrix,
+        shift: Vec<f64>,
+        max_facets: usize,
+        quality: Quality,
+    ) -> Result<Self, SetError> {
         let n = vertices.rows();
-        let shift = exact_shift(vertices);
         let lifted =
             |v: &[f64]| core::iter::once(1.0).chain(v.iter().zip(&shift).map(|(x, s)| x - s)).collect::<Vec<f64>>();
         let all = Rows::new(n + 1, vertices.columns().flat_map(lifted).collect());
@@ -67,51 +74,53 @@ impl Facets {
                 }
             }
         };
-        let mut facets = Self {
-            coordinates,
-            shift,
-            inequalities: Vec::new(),
-            errors: Vec::new(),
-            scales: (0..rows.dim()).map(|k| scale_by_power(1.0, i64::from(rows.column_exponent(k)))).collect(),
-            incidence: BitSets::new(0, 0),
-            points: basis.clone(),
-            basis,
-        };
-        if rows.dim() == 1 {
-            return Ok(facets);
-        }
-        let mut cone = Cone::enumerate(&rows, &facets.basis, max_facets)?;
-        facets.points = cone.slots.iter().map(|&row| row as usize).collect();
-        facets.incidence = BitSets::new(cone.live.len(), facets.points.len());
-        let live = core::mem::take(&mut cone.live);
-        for (i, &ray) in live.iter().enumerate() {
-            let ray = ray as usize;
-            let float = if quality == Quality::Float { cone.rays.approximate(&rows, &cone.slots, ray) } else { None };
-            if quality != Quality::Incidence && float.is_none() {
-                cone.rays.solve(&rows, &cone.slots, ray);
-                if !(cone.rays.error(ray) < FINE) {
-                    cone.rays.make_exact(&rows, &cone.slots, ray);
+        let scales: Vec<f64> =
+            (0..rows.dim()).map(|k| scale_by_power(1.0, i64::from(rows.column_exponent(k)))).collect();
+        let (mut inequalities, mut errors, mut points) = (Vec::new(), Vec::new(), basis.clone());
+        let mut incidence = BitSets::new(0, 0);
+        if rows.dim() > 1 {
+            let mut cone = Cone::enumerate(&rows, &basis, max_facets)?;
+            points = cone.slots.iter().map(|&row| row as usize).collect();
+            incidence = BitSets::new(cone.live.len(), points.len());
+            let live = core::mem::take(&mut cone.live);
+            for (i, &ray) in live.iter().enumerate() {
+                let ray = ray as usize;
+                for point in iter(cone.rays.tight.get(ray)) {
+                    incidence.insert(i, point);
                 }
-            }
-            let y = float.as_deref().unwrap_or(cone.rays.center(ray));
-            facets.inequalities.push(y.iter().zip(&facets.scales).map(|(y, s)| y * s).collect());
-            facets.errors.push(cone.rays.error(ray));
-            for point in iter(cone.rays.tight.get(ray)) {
-                facets.incidence.insert(i, point);
+                let float =
+                    if quality == Quality::Float { cone.rays.approximate(&rows, &cone.slots, ray) } else { None };
+                if quality != Quality::Incidence && float.is_none() {
+                    cone.rays.solve(&rows, &cone.slots, ray);
+                    if !(cone.rays.error(ray) < FINE) {
+                        cone.rays.make_exact(&rows, &cone.slots, ray);
+                    }
+                }
+                let y = float.as_deref().unwrap_or(cone.rays.center(ray));
+                inequalities.push(y.iter().zip(&scales).map(|(y, s)| y * s).collect());
+                errors.push(cone.rays.error(ray));
             }
         }
-        Ok(facets)
+        Ok(Self { coordinates, shift, inequalities, errors, scales, incidence, points, basis, rows })
     }
 
-    /// The columns of `V` that are vertices: no other point lies on all the facets of one.
-    pub(super) fn extreme_points(&self) -> Vec<usize> {
+    /// The members of `points` that are vertices: no other point lies on all the facets of one.
+    pub(super) fn extreme_members(&self) -> Vec<usize> {
         if self.incidence.len() == 0 {
-            return self.points.clone();
+            return (0..self.points.len()).collect();
         }
         let facets_of = self.incidence.transpose(self.points.len());
-        let is_extreme =
-            |&i: &usize| (0..self.points.len()).all(|k| k == i || !is_subset(facets_of.get(i), facets_of.get(k)));
-        let mut extreme: Vec<usize> = (0..self.points.len()).filter(is_extreme).map(|i| self.points[i]).collect();
+        let is_extreme = |&i: &usize| {
+            // Points within the hull lie on no facet; a rival lies on every facet of `i`, so on its first.
+            let Some(first) = iter(facets_of.get(i)).next() else { return false };
+            iter(self.incidence.get(first)).all(|k| k == i || !is_subset(facets_of.get(i), facets_of.get(k)))
+        };
+        (0..self.points.len()).filter(is_extreme).collect()
+    }
+
+    /// The columns of `V` that are vertices, increasing.
+    pub(super) fn extreme_points(&self) -> Vec<usize> {
+        let mut extreme: Vec<usize> = self.extreme_members().into_iter().map(|k| self.points[k]).collect();
         extreme.sort_unstable();
         extreme
     }
@@ -183,7 +192,7 @@ fn normalise(normal: &mut [f64]) {
 
 /// A point to measure coordinates from, such that the differences are exact floats: in each coordinate the first vertex's if all are
 /// within a factor of two of each other (Sterbenz' lemma), else zero. It keeps far-away sets well conditioned.
-fn exact_shift(vertices: &Matrix) -> Vec<f64> {
+pub(super) fn exact_shift(vertices: &Matrix) -> Vec<f64> {
     (0..vertices.rows())
         .map(|k| {
             let values = || vertices.columns().map(|v| v[k]);
@@ -223,7 +232,7 @@ impl VPolytope {
             let normals: Vec<Vec<f64>> = (0..order.len()).map(|i| self.edge_normal(order[i], next(i))).collect();
             return self.bounded_by(&normals, &order);
         }
-        let facets = Facets::enumerate(&self.vertices, max_facets, Quality::Float)?;
+        let facets = Facets::enumerate(&self.vertices, exact_shift(&self.vertices), max_facets, Quality::Float)?;
         let mut normals = facets.normals(n);
         for normal in facets.equations(&self.vertices) {
             normals.push(normal.iter().map(|x| -x).collect());
@@ -270,7 +279,8 @@ impl VPolytope {
     pub fn remove_redundant(&self) -> Result<Self, SetError> {
         let mut extreme = if self.dim() == 2 { hull_order(&self.vertices) } else { Vec::new() };
         if extreme.is_empty() {
-            extreme = Facets::enumerate(&self.vertices, MAX_FACES, Quality::Incidence)?.extreme_points();
+            extreme = Facets::enumerate(&self.vertices, exact_shift(&self.vertices), MAX_FACES, Quality::Incidence)?
+                .extreme_points();
         }
         let mut vertices = Matrix::zeros(self.dim(), 0);
         for j in extreme {

@@ -16,12 +16,16 @@
 //!    vertices, which is the set.
 //! 3. *V to H*: the normals are rounded, and then each offset is the support function of the whole set in its normal, rounded up. So every
 //!    half-space contains the set, whatever rounding did to the normal.
+//! 4. *V cut by half-spaces* ([`VPolytope::intersection`]): the same method goes on from the vertices of `conv V` and its exact facets.
 //!
-//! Cost: the exact arithmetic is needed for degenerate inputs (more than `n` facets at a vertex, or points on a common facet) and for those
-//! within rounding of it; the filter decides the rest. Rounding makes degenerate inputs *nearly* degenerate: a `VPolytope` whose
-//! columns were rounded can have many facets of nearly the same normal, where the unrounded one had a single facet. The
-//! limits on the number of faces ([`MAX_FACES`], the `_within` methods) refuse what grows too large.
+//! Cost: the exact arithmetic is needed for degenerate inputs (more than `n` facets at a vertex, or points on a common facet) and
+//! for those within rounding of it; the filter decides the rest. Rounding makes degenerate inputs *nearly* degenerate: a
+//! `VPolytope` whose columns were rounded can have many facets of nearly the same normal, where the unrounded one had a single
+//! facet; and the rounded normals of the facets of a hull split each vertex at which more than `n` of them meet. To intersect a
+//! hull with half-spaces, [`VPolytope::intersection`] avoids the second. The limits on the number of faces ([`MAX_FACES`], the
+//! `_within` methods) refuse what grows too large.
 
+mod clip;
 mod cone;
 mod emptiness;
 mod error_free;

@@ -13,9 +13,9 @@ use num_bigint::BigInt;
 use scalars::rounding::UNIT_ROUNDOFF;
 
 use super::error_free::exact_sum;
-use super::exact::{Echelon, dot, scaled, sign};
+use super::exact::{dot, ray_of, scaled, sign};
 use super::incidence::{BitSets, iter};
-use super::rows::Rows;
+use super::rows::{IntegerRow, Rows};
 use super::solve::{Solver, pivots};
 
 /// Underflow in products and scaled rows stays below this.
@@ -32,19 +32,13 @@ pub(super) struct Value {
     pub(super) err: f64,
 }
 
-/// A ray in integers: `y* = Y 2^-shift`.
-struct ExactRay {
-    entries: Box<[BigInt]>,
-    shift: i64,
-}
-
 /// Storage of rays, slots reused.
 pub(super) struct Rays {
     dim: usize,
     centers: Vec<f64>,
     errors: Vec<f64>,
     solved: Vec<bool>,
-    exact: Vec<Option<ExactRay>>,
+    exact: Vec<Option<IntegerRow>>,
     /// The inserted constraints (by slot) that are tight at each ray.
     pub(super) tight: BitSets,
     solver: Solver,
@@ -99,7 +93,7 @@ impl Rays {
 
     /// The filter's value of a row at a ray, `None` where it does not decide.
     #[inline]
-    pub(super) fn estimate(&self, rows: &Rows, ray: usize, row: usize) -> Option<Value> {
+    pub(super) fn estimate(&self, rows: &Rows<'_>, ray: usize, row: usize) -> Option<Value> {
         let mid: f64 = rows.row(row).iter().zip(self.center(ray)).map(|(a, y)| a * y).sum();
         // |y| <= 2; dim + 2 roundings of products with |a|_1.
         let rounding = 2.0 * (self.dim as f64 + 3.0) * UNIT_ROUNDOFF;
@@ -113,9 +107,9 @@ impl Rays {
         }
     }
 
-    /// The value of a row at a ray, sign exact. `slots` maps constraints of the tight sets to rows; the first `dim` of them span.
+    /// The value of a row at a ray, sign exact. `slots` maps constraints of the tight sets to rows; they span the space.
     #[inline]
-    pub(super) fn value(&mut self, rows: &Rows, slots: &[u32], ray: usize, row: usize) -> Value {
+    pub(super) fn value(&mut self, rows: &Rows<'_>, slots: &[u32], ray: usize, row: usize) -> Value {
         match self.estimate(rows, ray, row) {
             Some(value) => value,
             None => self.value_exactly(rows, slots, ray, row),
@@ -123,7 +117,7 @@ impl Rays {
     }
 
     #[cold]
-    fn value_exactly(&mut self, rows: &Rows, slots: &[u32], ray: usize, row: usize) -> Value {
+    fn value_exactly(&mut self, rows: &Rows<'_>, slots: &[u32], ray: usize, row: usize) -> Value {
         if !self.solved[ray] {
             self.solve(rows, slots, ray);
             if let Some(value) = self.estimate(rows, ray, row) {
@@ -148,7 +142,7 @@ impl Rays {
     }
 
     /// Solves for a ray from its tight constraints; keeps the tighter enclosure.
-    pub(super) fn solve(&mut self, rows: &Rows, slots: &[u32], ray: usize) {
+    pub(super) fn solve(&mut self, rows: &Rows<'_>, slots: &[u32], ray: usize) {
         self.solved[ray] = true;
         if rows.has_underflow() {
             return;
@@ -184,9 +178,9 @@ impl Rays {
         }
         let before = (self.errors[ray], self.center(ray).to_vec());
         self.set(ray, &y, if error == 0.0 { 0.0 } else { error + TINY });
-        // One of the first `dim` constraints is not tight, hence positive: it tells the ray from its opposite.
-        let span = (0..n).filter(|&slot| !self.tight.contains(ray, slot));
-        match span.filter_map(|slot| self.estimate(rows, ray, slots[slot] as usize)).next() {
+        // Some constraint is not tight, hence positive: it tells the ray from its opposite.
+        let loose = (0..slots.len()).filter(|&slot| !self.tight.contains(ray, slot));
+        match loose.filter_map(|slot| self.estimate(rows, ray, slots[slot] as usize)).next() {
             Some(Value { sign: Ordering::Less, .. }) => {
                 for x in &mut self.centers[ray * n..(ray + 1) * n] {
                     *x = -*x;
@@ -200,7 +194,7 @@ impl Rays {
     /// A ray to floating-point accuracy, without a bound of the error; `None` beside pivots that are too small.
     ///
     /// What is already known to full accuracy is returned as it is; else the tight constraints are eliminated once.
-    pub(super) fn approximate(&self, rows: &Rows, slots: &[u32], ray: usize) -> Option<Vec<f64>> {
+    pub(super) fn approximate(&self, rows: &Rows<'_>, slots: &[u32], ray: usize) -> Option<Vec<f64>> {
         let n = self.dim;
         if self.errors[ray] < 16.0 * UNIT_ROUNDOFF {
             return Some(self.center(ray).to_vec());
@@ -225,32 +219,30 @@ impl Rays {
     }
 
     /// Computes a ray in integers from its tight constraints, and its floats from these.
-    pub(super) fn make_exact(&mut self, rows: &Rows, slots: &[u32], ray: usize) {
+    pub(super) fn make_exact(&mut self, rows: &Rows<'_>, slots: &[u32], ray: usize) {
         if self.exact[ray].is_some() {
             return;
         }
-        let mut echelon = Echelon::new(self.dim);
-        for slot in iter(self.tight.get(ray)) {
-            echelon.push(&rows.integers(slots[slot] as usize).entries);
-            if echelon.rank() + 1 == self.dim {
-                break;
-            }
-        }
-        let Some(mut entries) = echelon.null_vector() else { return };
-        let span = (0..self.dim).filter(|&slot| !self.tight.contains(ray, slot));
-        let values = span.map(|slot| sign(&dot(&rows.integers(slots[slot] as usize).entries, &entries)));
-        if values.filter(|sign| sign.is_ne()).next() == Some(Ordering::Less) {
-            for x in &mut entries {
-                *x = -core::mem::take(x);
-            }
-        }
+        let row = |slot: usize| &*rows.integers(slots[slot] as usize).entries;
+        let tight = iter(self.tight.get(ray)).map(row);
+        let loose = (0..slots.len()).filter(|&slot| !self.tight.contains(ray, slot)).map(row);
+        let Some(entries) = ray_of(self.dim, tight, loose) else { return };
         let shift = entries.iter().map(BigInt::bits).max().unwrap_or(1) as i64 - 1;
         let parts: Vec<(f64, bool)> = entries.iter().map(|x| scaled(x, shift)).collect();
         let error = if parts.iter().all(|part| part.1) { 0.0 } else { 4.0 * UNIT_ROUNDOFF + TINY };
         let center: Vec<f64> = parts.iter().map(|part| part.0).collect();
         self.set(ray, &center, error);
         self.solved[ray] = true;
-        self.exact[ray] = Some(ExactRay { entries, shift });
+        self.exact[ray] = Some(IntegerRow { entries, shift });
+    }
+
+    /// Sets a ray to a row of another system, which is known exactly.
+    pub(super) fn set_exact(&mut self, ray: usize, dual: &Rows<'_>, row: usize) {
+        let integers = dual.integers(row);
+        // Floats that may have lost digits to underflow are off by less than TINY.
+        self.set(ray, dual.row(row), if dual.has_underflow() { TINY } else { 0.0 });
+        self.solved[ray] = true;
+        self.exact[ray] = Some(IntegerRow { entries: integers.entries.clone(), shift: integers.shift });
     }
 
     /// Sets the enclosure of a ray; `|center|` is at most 2.

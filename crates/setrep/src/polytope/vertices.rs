@@ -26,7 +26,7 @@ pub(super) struct Vertices {
 }
 
 /// The cone over `{ x : H x <= h }`: row 0 is `t >= 0`, row `i + 1` is `h_i t - H_i x >= 0`.
-fn homogenise(polytope: &HPolytope) -> Rows {
+fn homogenise(polytope: &HPolytope) -> Rows<'static> {
     let n = polytope.dim();
     let mut source = Vec::with_capacity((n + 1) * (polytope.num_half_spaces() + 1));
     source.push(1.0);
@@ -39,7 +39,7 @@ fn homogenise(polytope: &HPolytope) -> Rows {
 }
 
 /// Whether the cone of `t >= 0` and rows that do not span has a ray with `t > 0`.
-fn reaches_up(rows: &Rows, columns: &[usize], max_rays: usize) -> Result<bool, SetError> {
+fn reaches_up(rows: &Rows<'_>, columns: &[usize], max_rays: usize) -> Result<bool, SetError> {
     let rows = rows.select_columns(columns);
     if rows.dim() == 1 {
         return Ok((0..rows.len()).all(|i| rows.row(i)[0] >= 0.0));
@@ -99,7 +99,7 @@ impl Vertices {
     }
 
     /// Encloses each vertex: by a verified solve of `n` of its equations, in integers where that is not tight.
-    fn locate(&mut self, rows: &Rows, cone: &mut Cone<'_>, live: &[u32]) -> Result<(), SetError> {
+    fn locate(&mut self, rows: &Rows<'_>, cone: &mut Cone<'_>, live: &[u32]) -> Result<(), SetError> {
         let n = self.mids.rows();
         let mut solver = Solver::default();
         let mut extent = vec![0.0_f64; n];
@@ -138,7 +138,7 @@ impl Vertices {
     }
 
     /// Solves for vertex `j` in floating point; false where no error bound could be proven.
-    fn solve(&mut self, j: usize, rows: &Rows, cone: &Cone<'_>, solver: &mut Solver) -> bool {
+    fn solve(&mut self, j: usize, rows: &Rows<'_>, cone: &Cone<'_>, solver: &mut Solver) -> bool {
         let n = self.mids.rows();
         if rows.has_underflow() {
             return false;

@@ -9,7 +9,7 @@
 
 use scalars::Interval;
 
-use super::facets::{Facets, Quality};
+use super::facets::{Facets, Quality, exact_shift};
 use super::incidence::{BitSets, contains, count, is_subset, iter};
 use super::vertices::Vertices;
 use super::{HPolytope, MAX_FACES, VPolytope};
@@ -160,11 +160,8 @@ impl VPolytope {
     /// As [`to_h_polytope`](Self::to_h_polytope); [`SetError::OverBudget`] for too many simplices.
     pub fn volume(&self) -> Result<Interval, SetError> {
         let n = self.dim();
-        let facets = Facets::enumerate(
-            &self.vertices,
-            MAX_FACES,
-            if self.is_exact() { Quality::Incidence } else { Quality::Verified },
-        )?;
+        let quality = if self.is_exact() { Quality::Incidence } else { Quality::Verified };
+        let facets = Facets::enumerate(&self.vertices, exact_shift(&self.vertices), MAX_FACES, quality)?;
         let flat = facets.coordinates.len() < n;
         let inner = if flat {
             Interval::ZERO

@@ -1,6 +1,6 @@
 //! Exact points of sets lie in what the operations return: 10^5 points and more.
 
-use setrep::{HPolytope, VPolytope};
+use setrep::{HPolytope, SetError, VPolytope};
 
 use crate::common::dyadic::Dyadic;
 use crate::common::random::Random;
@@ -131,6 +131,53 @@ fn planar_sums() {
             assert!((left - right).abs() <= 1e-14 * scale, "case {case}: {left} {right}");
         }
     }
+}
+
+/// A hull cut by half-spaces holds every point of both, and none that is far from either.
+#[test]
+fn cut_hulls() {
+    let mut inside = 0;
+    for case in 0..cases(500) {
+        let mut random = Random::new(SEED + 6, case);
+        let n = random.between(2, 4);
+        let m = random.between(2, n + 6);
+        let remainder = if case % 2 == 0 { 0.0 } else { 0.01 };
+        let entries = ALL_ENTRIES[case % 2];
+        let hull = VPolytope::with_remainder(points(&mut random, n, m, entries), &vec![remainder; n]).unwrap();
+        let (bounds, extra) = (h_polytope(&mut random, n, 0, entries), random.between(0, 3));
+        let cut = h_polytope(&mut random, n, extra, entries).intersection(&bounds).unwrap();
+        let both = match hull.intersection(&cut) {
+            Ok(both) => both,
+            Err(SetError::EmptySet) => {
+                for _ in 0..50 {
+                    assert!(!lies_in(&member(&mut random, &hull), &cut), "case {case}");
+                }
+                continue;
+            }
+            Err(error) => panic!("case {case}: {error}"),
+        };
+        let (found, other_way) =
+            (both.to_h_polytope().unwrap(), hull.to_h_polytope().unwrap().intersection(&cut).unwrap());
+        for _ in 0..50 {
+            let point = member(&mut random, &hull);
+            if lies_in(&point, &cut) {
+                inside += 1;
+                assert!(lies_in(&point, &found), "case {case}");
+            }
+        }
+        if remainder == 0.0 {
+            let (left, right) = (both.interval_hull(), other_way.interval_hull().unwrap());
+            for (left, right) in left.iter().zip(right.iter()) {
+                assert!(
+                    (left.hi() - right.hi()).abs() + (left.lo() - right.lo()).abs() < 1e-11,
+                    "case {case} {left:?} {right:?}"
+                );
+            }
+            let (left, right) = (both.volume().unwrap(), other_way.volume().unwrap());
+            assert!((left.mid() - right.mid()).abs() <= 1e-12 + 1e-10 * right.mid(), "case {case} {left:?} {right:?}");
+        }
+    }
+    assert!(inside > 2000, "{inside}");
 }
 
 /// Intersections and emptied redundancy keep every point of both operands, and no other.
