@@ -6,7 +6,7 @@
 //! **Source:** Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric predicates* (1997), theorem 10;
 //! Ogita, Rump, Oishi, *Accurate sum and dot product* (2005), proposition 5.5.
 
-use scalars::rounding::{UNIT_ROUNDOFF, up};
+use scalars::rounding::{ETA, UNIT_ROUNDOFF, up};
 
 use crate::bounds::two_sum;
 
@@ -83,13 +83,16 @@ pub(super) fn exact_sum(products: impl Iterator<Item = (f64, f64)>) -> Option<f6
 pub(super) fn dot_compensated(x: &[f64], y: &[f64]) -> (f64, f64) {
     let (mut sum, mut compensation, mut magnitude, mut lost, mut tiny) = (0.0, 0.0, 0.0, 0.0, false);
     for (&a, &b) in x.iter().zip(y) {
-        let (product, error) = two_product(a, b);
+        // A factor of one is exact at any scale.
+        let unit = a.abs() == 1.0 || b.abs() == 1.0;
+        let (product, error) = if unit { (a * b, 0.0) } else { two_product(a, b) };
         let (next, carry) = two_sum(sum, product);
         sum = next;
         compensation += error + carry;
         lost += error.abs() + carry.abs();
         magnitude += product.abs();
-        tiny |= (product.abs() < SAFE.start && a != 0.0 && b != 0.0) || !(a.abs() < SAFE.end && b.abs() < SAFE.end);
+        let normal = SAFE.contains(&product.abs()) && a.abs() < SAFE.end && b.abs() < SAFE.end;
+        tiny |= !(unit || normal || a == 0.0 || b == 0.0);
     }
     if tiny {
         return dot_plain(x, y);
@@ -100,7 +103,7 @@ pub(super) fn dot_compensated(x: &[f64], y: &[f64]) -> (f64, f64) {
     let n = x.len() as f64 + 2.0;
     let value = sum + compensation;
     let gamma = 2.0 * n * UNIT_ROUNDOFF;
-    (value, up(UNIT_ROUNDOFF * value.abs() * 1.01 + gamma * gamma * magnitude * 1.01 + f64::MIN_POSITIVE))
+    (value, up(UNIT_ROUNDOFF * value.abs() * 1.01 + gamma * gamma * magnitude * 1.01 + ETA))
 }
 
 /// Plain dot product with its error bound, underflow included; the bound is NaN or infinite beside an overflow.
@@ -112,7 +115,7 @@ pub(super) fn dot_plain(x: &[f64], y: &[f64]) -> (f64, f64) {
         magnitude += (a * b).abs();
     }
     let n = x.len() as f64 + 2.0;
-    (sum, up(n * UNIT_ROUNDOFF * magnitude * 1.01 + n * f64::MIN_POSITIVE))
+    (sum, up(n * UNIT_ROUNDOFF * magnitude * 1.01 + n * ETA))
 }
 
 #[cfg(test)]

@@ -92,7 +92,7 @@ impl Facets {
                     if quality == Quality::Float { cone.rays.approximate(&rows, &cone.slots, ray) } else { None };
                 if quality != Quality::Incidence && float.is_none() {
                     cone.rays.solve(&rows, &cone.slots, ray);
-                    if !(cone.rays.error(ray) < FINE) {
+                    if cone.rays.error(ray) >= FINE {
                         cone.rays.make_exact(&rows, &cone.slots, ray);
                     }
                 }

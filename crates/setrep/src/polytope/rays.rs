@@ -124,11 +124,11 @@ impl Rays {
                 return value;
             }
         }
-        if self.errors[ray] == 0.0 && !rows.has_underflow() {
-            if let Some(mid) = exact_sum(rows.row(row).iter().copied().zip(self.center(ray).iter().copied())) {
-                let sign = mid.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
-                return Value { sign, mid, err: mid.abs() * 4.0 * UNIT_ROUNDOFF * 2.0 };
-            }
+        let is_float = self.errors[ray] == 0.0 && !rows.has_underflow();
+        let products = rows.row(row).iter().copied().zip(self.center(ray).iter().copied());
+        if let Some(mid) = is_float.then(|| exact_sum(products)).flatten() {
+            let sign = mid.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
+            return Value { sign, mid, err: mid.abs() * 8.0 * UNIT_ROUNDOFF };
         }
         self.make_exact(rows, slots, ray);
         let Some(exact) = &self.exact[ray] else {
@@ -170,7 +170,7 @@ impl Rays {
         let largest = y.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let factor = power_of_two_near(1.0 / largest);
         let error = self.solver.radius.iter().fold(0.0_f64, |m, &r| m.max(r)) * factor;
-        if !(error < self.errors[ray]) {
+        if error.is_nan() || error >= self.errors[ray] {
             return;
         }
         for x in &mut y {
@@ -179,8 +179,8 @@ impl Rays {
         let before = (self.errors[ray], self.center(ray).to_vec());
         self.set(ray, &y, if error == 0.0 { 0.0 } else { error + TINY });
         // Some constraint is not tight, hence positive: it tells the ray from its opposite.
-        let loose = (0..slots.len()).filter(|&slot| !self.tight.contains(ray, slot));
-        match loose.filter_map(|slot| self.estimate(rows, ray, slots[slot] as usize)).next() {
+        let mut loose = (0..slots.len()).filter(|&slot| !self.tight.contains(ray, slot));
+        match loose.find_map(|slot| self.estimate(rows, ray, slots[slot] as usize)) {
             Some(Value { sign: Ordering::Less, .. }) => {
                 for x in &mut self.centers[ray * n..(ray + 1) * n] {
                     *x = -*x;

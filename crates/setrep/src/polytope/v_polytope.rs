@@ -130,7 +130,8 @@ impl VPolytope {
         let mut largest = f64::NEG_INFINITY;
         for (&j, &(value, error)) in columns.iter().zip(&plain) {
             // Columns certainly below another one are left out; NaN is not below.
-            if !(value + 2.0 * error < floor) {
+            let below = value + 2.0 * error < floor;
+            if !below {
                 let bound = dot_upper(direction, self.vertices.col(j));
                 largest = if bound > largest || bound.is_nan() { bound } else { largest };
             }

@@ -114,7 +114,7 @@ impl Vertices {
             }
         }
         for j in 0..live.len() {
-            if self.radii.col(j).iter().zip(&extent).any(|(&r, &x)| r > 0.0 && !(r <= FINE * x)) {
+            if self.radii.col(j).iter().zip(&extent).any(|(&r, &x)| r > FINE * x) {
                 loose.push(j);
             }
         }

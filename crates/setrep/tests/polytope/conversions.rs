@@ -91,7 +91,7 @@ fn every_facet_is_found_once_and_contains_the_points() {
                     let normal: Vec<f64> = facet[1..].iter().map(float).collect();
                     let near = |i: usize| {
                         let row: Vec<f64> = (0..n).map(|k| half_spaces.normals()[(i, k)]).collect();
-                        let length: f64 = row.iter().map(|x| x.abs()).sum();
+                        let length: f64 = row.iter().copied().map(f64::abs).sum();
                         (0..n).all(|k| (row[k] / length - normal[k]).abs() <= 1e-9)
                     };
                     assert_eq!((0..exact.len()).filter(|&i| near(i)).count(), 1, "n {n} case {case} {entries:?}");
