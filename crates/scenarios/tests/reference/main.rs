@@ -7,3 +7,4 @@ mod determinism;
 mod metrics;
 mod published;
 mod sound;
+mod wifibot;

@@ -83,8 +83,8 @@ pub(super) fn exact_sum(products: impl Iterator<Item = (f64, f64)>) -> Option<f6
 pub(super) fn dot_compensated(x: &[f64], y: &[f64]) -> (f64, f64) {
     let (mut sum, mut compensation, mut magnitude, mut lost, mut tiny) = (0.0, 0.0, 0.0, 0.0, false);
     for (&a, &b) in x.iter().zip(y) {
-        // A factor of one is exact at any scale.
-        let unit = a.abs() == 1.0 || b.abs() == 1.0;
+        // A factor of zero or one is exact at any scale.
+        let unit = [a, b].into_iter().any(|x| x == 0.0 || x.abs() == 1.0);
         let (product, error) = if unit { (a * b, 0.0) } else { two_product(a, b) };
         let (next, carry) = two_sum(sum, product);
         sum = next;
@@ -92,7 +92,7 @@ pub(super) fn dot_compensated(x: &[f64], y: &[f64]) -> (f64, f64) {
         lost += error.abs() + carry.abs();
         magnitude += product.abs();
         let normal = SAFE.contains(&product.abs()) && a.abs() < SAFE.end && b.abs() < SAFE.end;
-        tiny |= !(unit || normal || a == 0.0 || b == 0.0);
+        tiny |= !(unit || normal);
     }
     if tiny {
         return dot_plain(x, y);
