@@ -22,13 +22,12 @@ use super::incidence::{common, count, is_subset, iter};
 use super::rays::{Rays, Value};
 use super::rows::{FacetRows, Rows};
 use super::solve::{Solver, pivots};
+use super::table::{NONE, Table, slot_key};
+use super::waiting::Waiting;
 use crate::SetError;
 
 /// Word operations of adjacency tests before an enumeration is refused: some seconds.
 const WORK_LIMIT: u64 = 4_000_000_000;
-
-/// No ray, no row.
-const NONE: u32 = u32::MAX;
 
 /// What the constraints span.
 pub(super) enum Span {
@@ -83,14 +82,6 @@ pub(super) struct Cone<'a> {
     work: u64,
 }
 
-/// The waiting constraints in lists by witness.
-struct Waiting {
-    first: Vec<u32>,
-    next: Vec<u32>,
-    violation: Vec<f64>,
-    rows: Vec<u32>,
-}
-
 impl<'a> Cone<'a> {
     /// Enumerates the extreme rays of a cone from `dim` independent rows.
     ///
@@ -127,12 +118,7 @@ impl<'a> Cone<'a> {
             keys: Vec::new(),
             counts: Vec::new(),
             values: Vec::new(),
-            waiting: Waiting {
-                first: Vec::new(),
-                next: vec![NONE; rows.len()],
-                violation: vec![0.0; rows.len()],
-                rows: Vec::new(),
-            },
+            waiting: Waiting::new(rows.len()),
             table: Table::default(),
             max_rays,
             work: 0,
@@ -369,72 +355,5 @@ impl<'a> Cone<'a> {
             }
         }
         Ok(pairs)
-    }
-}
-
-impl Waiting {
-    /// Takes out the row with the largest violation.
-    fn take_worst(&mut self) -> Option<u32> {
-        let at = (0..self.rows.len()).max_by(|&a, &b| {
-            let (a, b) = (self.violation[self.rows[a] as usize], self.violation[self.rows[b] as usize]);
-            a.partial_cmp(&b).unwrap_or(Ordering::Equal)
-        })?;
-        Some(self.rows.swap_remove(at))
-    }
-
-    /// Forgets the rows without witness.
-    fn drop_settled(&mut self) {
-        let violation = &self.violation;
-        self.rows.retain(|&row| violation[row as usize] >= 0.0);
-    }
-}
-
-/// A random word for each constraint; the XOR over a set is its key.
-#[inline]
-fn slot_key(slot: usize) -> u64 {
-    // splitmix64
-    let mut z = (slot as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
-/// A multimap from keys to rays by open addressing.
-#[derive(Default)]
-struct Table {
-    keys: Vec<u64>,
-    rays: Vec<u32>,
-    mask: usize,
-}
-
-impl Table {
-    /// Empties the table and makes room for `entries`.
-    fn reset(&mut self, entries: usize) {
-        let size = (2 * entries + 1).next_power_of_two();
-        self.mask = size - 1;
-        self.rays.clear();
-        self.rays.resize(size, NONE);
-        self.keys.resize(size, 0);
-    }
-
-    #[inline]
-    fn insert(&mut self, key: u64, ray: u32) {
-        let mut at = key as usize & self.mask;
-        while self.rays[at] != NONE {
-            at = (at + 1) & self.mask;
-        }
-        (self.keys[at], self.rays[at]) = (key, ray);
-    }
-
-    /// Visits the rays of a key.
-    #[inline]
-    fn find(&self, key: u64, mut visit: impl FnMut(u32)) {
-        let mut at = key as usize & self.mask;
-        while self.rays[at] != NONE {
-            if self.keys[at] == key {
-                visit(self.rays[at]);
-            }
-            at = (at + 1) & self.mask;
-        }
     }
 }

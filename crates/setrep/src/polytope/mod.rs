@@ -38,9 +38,11 @@ mod planar;
 mod rays;
 mod rows;
 mod solve;
+mod table;
 mod v_polytope;
 mod vertices;
 mod volume;
+mod waiting;
 
 pub use emptiness::Emptiness;
 pub use h_polytope::HPolytope;
