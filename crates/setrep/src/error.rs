@@ -30,6 +30,12 @@ pub enum Part {
     Point,
     /// A slice that receives a result.
     Output,
+    /// The vertex matrix `V` of a polytope.
+    Vertices,
+    /// The normals `H` of the half-spaces of a polytope.
+    Normals,
+    /// The offsets `h` of the half-spaces of a polytope.
+    Offsets,
 }
 
 impl fmt::Display for Part {
@@ -47,6 +53,9 @@ impl fmt::Display for Part {
             Self::Matrix => "matrix",
             Self::Point => "point",
             Self::Output => "output",
+            Self::Vertices => "vertex matrix",
+            Self::Normals => "half-space normals",
+            Self::Offsets => "half-space offsets",
         })
     }
 }
@@ -140,6 +149,20 @@ pub enum SetError {
     NotPlanar {
         /// The dimension of the set.
         dim: usize,
+    },
+    /// The set is proven to be empty where a nonempty one is needed.
+    #[error("the set is empty")]
+    EmptySet,
+    /// The set is proven to be unbounded where a bounded one is needed.
+    #[error("the set is unbounded")]
+    Unbounded,
+    /// A conversion met more faces of a polytope than its limit.
+    #[error("{count} faces exceed the limit of {limit}")]
+    OverBudget {
+        /// Number of faces when the conversion stopped.
+        count: usize,
+        /// The limit.
+        limit: usize,
     },
 }
 
