@@ -1,0 +1,124 @@
+//! The dual simplex method with bound flips, from any basis.
+
+use crate::bound::{Multiplier, Residual};
+use crate::problem::Problem;
+use crate::ratio_test::RatioTest;
+use crate::tableau::{Tableau, Violation};
+
+/// Violations below this (rows have 1-norms in [1/2, 1), the box has half-width 1) are rounding errors.
+const FEASIBILITY: f64 = 1e-13;
+
+/// A row contradicts the others beyond doubt only if it misses by more than this share of its 1-norm after all flips.
+const CONTRADICTION: f64 = 1e-9;
+
+/// A proof of emptiness is used only if it misses by more than this share of the 1-norms: sets that are empty by the
+/// rounding of their data are treated as the points they are meant to be.
+const MISS: f64 = 1e-12;
+
+/// How a run of the method ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Ending {
+    /// All basic variables lie within their bounds.
+    Optimal,
+    /// The multipliers of [`Workspace`] prove the set empty.
+    Empty,
+    /// A row contradicts the others, but the proof fails: the tableau has drifted, or the bounds are moved inward.
+    Contradiction,
+    /// The pivot limit was reached.
+    Limit,
+}
+
+/// Scratch of a solve, and its result.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Workspace {
+    pub(crate) ratio_test: RatioTest,
+    pub(crate) residual: Residual,
+    pub(crate) multipliers: Vec<Multiplier>,
+    pub(crate) point: Vec<f64>,
+    pub(crate) zeros: Vec<f64>,
+    pub(crate) pivots: usize,
+}
+
+impl Workspace {
+    /// Makes room for a problem: afterwards nothing is allocated.
+    pub(crate) fn resize(&mut self, problem: &Problem) {
+        let n = problem.variables();
+        self.ratio_test.resize(n, problem.stride());
+        self.residual.resize(problem.stride());
+        self.multipliers.clear();
+        self.multipliers.reserve(n + 1);
+        self.point.resize(n, 0.0);
+        self.zeros.resize(n, 0.0);
+    }
+
+    /// Runs the method on a priced and placed tableau. Without `certify` a contradiction is reported unproven.
+    pub(crate) fn run(&mut self, problem: &Problem, tableau: &mut Tableau, limit: usize, certify: bool) -> Ending {
+        let mut tolerance = FEASIBILITY;
+        while let Some(violation) = tableau.worst(tolerance) {
+            if self.pivots >= limit {
+                return Ending::Limit;
+            }
+            let row = tableau.row(violation.row);
+            let entering = self.ratio_test.run(row, &tableau.columns, violation);
+            if entering.rest > 0.0 {
+                if certify && self.farkas(problem, tableau, violation) {
+                    return Ending::Empty;
+                }
+                let norm: f64 = 1.0 + row.iter().map(|t| t.abs()).sum::<f64>();
+                if entering.rest > CONTRADICTION * norm {
+                    return Ending::Contradiction;
+                }
+            }
+            match entering.column {
+                Some(column) => {
+                    tableau.step(violation, column, &self.ratio_test.flips);
+                    self.pivots += 1;
+                }
+                // The row touches its bound as well as working accuracy can tell.
+                None => tolerance = 2.0 * violation.amount,
+            }
+        }
+        Ending::Optimal
+    }
+
+    /// Reads multipliers off a row that no flips repair, and proves the set empty by them.
+    ///
+    /// `x_r = T_r x_N` holds for every `x`; over the bounds of all variables the left side stays on one side of the right.
+    fn farkas(&mut self, problem: &Problem, tableau: &Tableau, violation: Violation) -> bool {
+        let n = problem.variables();
+        let ranges = problem.ranges();
+        self.multipliers.clear();
+        let own = tableau.rows.variable[violation.row] as usize;
+        if own >= n {
+            self.multipliers.push((own - n, violation.sign * ranges[own - n].scale));
+        }
+        for (&v, &t) in tableau.columns.variable.iter().zip(tableau.row(violation.row)) {
+            if v as usize >= n && t != 0.0 {
+                let i = v as usize - n;
+                self.multipliers.push((i, -violation.sign * t * ranges[i].scale));
+            }
+        }
+        let weight: f64 = self.multipliers.iter().map(|&(i, y)| y.abs() * ranges[i].norm).sum();
+        let bound = problem.weak_duality(&self.zeros, 0.0, &self.multipliers, &mut self.residual);
+        bound < -MISS * weight
+    }
+
+    /// Reads the multipliers off the reduced costs and the point off the vertex.
+    pub(crate) fn read(&mut self, problem: &Problem, tableau: &Tableau) {
+        let n = problem.variables();
+        self.multipliers.clear();
+        let columns = &tableau.columns;
+        for ((&v, &cost), &value) in columns.variable.iter().zip(&columns.cost).zip(&columns.value) {
+            match (v as usize).checked_sub(n) {
+                None => self.point[v as usize] = value,
+                Some(i) if cost != 0.0 => self.multipliers.push((i, cost * problem.ranges()[i].scale)),
+                Some(_) => {}
+            }
+        }
+        for (&v, &value) in tableau.rows.variable.iter().zip(&tableau.rows.value) {
+            if (v as usize) < n {
+                self.point[v as usize] = value.clamp(-1.0, 1.0);
+            }
+        }
+    }
+}
