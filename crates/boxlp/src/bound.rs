@@ -7,9 +7,9 @@
 //! and an optimal `y` attains the maximum (strong duality). No optimality, sign or feasibility of `y` is used, so a poor
 //! `y` costs tightness only. Idea: Neumaier, Shcherbina, *Safe bounds in linear and mixed-integer linear programming*, 2004.
 
+use crate::LpError;
 use crate::problem::{LANES, Problem, check_length};
 use crate::rounding::{UNDERFLOW, gamma_up, norm1_up};
-use crate::LpError;
 
 /// A multiplier: the row and its `y_i`. Rows that are not listed have `y_i = 0`.
 pub type Multiplier = (usize, f64);
@@ -36,10 +36,17 @@ impl Problem {
     ///
     /// # Errors
     /// [`LpError::Length`], [`LpError::Objective`], [`LpError::ObjectiveOverflow`] or [`LpError::RowIndex`].
-    pub fn upper_bound(&self, objective: &[f64], multipliers: &[Multiplier]) -> Result<f64, LpError> {
+    pub fn upper_bound(
+        &self,
+        objective: &[f64],
+        multipliers: &[Multiplier],
+    ) -> Result<f64, LpError> {
         let norm = self.check_objective(objective)?;
         if let Some(&(row, _)) = multipliers.iter().find(|(row, _)| *row >= self.rows()) {
-            return Err(LpError::RowIndex { row, rows: self.rows() });
+            return Err(LpError::RowIndex {
+                row,
+                rows: self.rows(),
+            });
         }
         let mut residual = Residual::default();
         residual.resize(self.stride());
@@ -54,7 +61,10 @@ impl Problem {
             return Ok(norm);
         }
         Err(match objective.iter().position(|c| !c.is_finite()) {
-            Some(column) => LpError::Objective { column, value: objective[column] },
+            Some(column) => LpError::Objective {
+                column,
+                value: objective[column],
+            },
             None => LpError::ObjectiveOverflow,
         })
     }
@@ -89,7 +99,9 @@ impl Problem {
         }
         let (columns, inner) = (sum_of_moduli(value), sum_of_moduli(moduli));
         let k = multipliers.len();
-        let error = gamma_up(k + 1) * inner + gamma_up(self.variables() + k + 1) * (row_moduli + columns) + UNDERFLOW;
+        let error = gamma_up(k + 1) * inner
+            + gamma_up(self.variables() + k + 1) * (row_moduli + columns)
+            + UNDERFLOW;
         let bound = ((rows + columns) + error.next_up()).next_up();
         // Overflow makes the bound infinite or NaN: neither is below the norm.
         if bound < norm { bound } else { norm }
@@ -112,15 +124,10 @@ impl Residual {
 
 /// `value -= y row`, `moduli += |y row|`.
 fn subtract_row(y: f64, row: &[f64], value: &mut [f64], moduli: &mut [f64]) {
-    let (rows, _) = row.as_chunks::<LANES>();
-    let (values, _) = value.as_chunks_mut::<LANES>();
-    let (moduli, _) = moduli.as_chunks_mut::<LANES>();
-    for ((a, v), w) in rows.iter().zip(values).zip(moduli) {
-        for l in 0..LANES {
-            let product = y * a[l];
-            v[l] -= product;
-            w[l] += product.abs();
-        }
+    for ((a, v), w) in row.iter().zip(value).zip(moduli) {
+        let product = y * a;
+        *v -= product;
+        *w += product.abs();
     }
 }
 

@@ -56,7 +56,11 @@ impl Certificate {
     #[must_use]
     pub fn miss(&self, problem: &Problem) -> f64 {
         let rows = problem.rows();
-        if self.multipliers.iter().any(|&(i, y)| i >= rows || !y.is_finite()) {
+        if self
+            .multipliers
+            .iter()
+            .any(|&(i, y)| i >= rows || !y.is_finite())
+        {
             return 0.0;
         }
         let mut bound = 0.0;
@@ -82,6 +86,10 @@ impl Certificate {
         if !(bound < 0.0) {
             return 0.0;
         }
-        if weight > 0.0 { (-bound / weight).next_down() } else { f64::MAX }
+        if weight > 0.0 {
+            (-bound / weight).next_down()
+        } else {
+            f64::MAX
+        }
     }
 }

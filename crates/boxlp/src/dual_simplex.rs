@@ -1,6 +1,7 @@
 //! The dual simplex method with bound flips, from any basis.
 
 use crate::bound::{Multiplier, Residual};
+use crate::certificate::Certificate;
 use crate::problem::Problem;
 use crate::ratio_test::RatioTest;
 use crate::tableau::{Tableau, Violation};
@@ -20,7 +21,7 @@ const MISS: f64 = 1e-12;
 pub(crate) enum Ending {
     /// All basic variables lie within their bounds.
     Optimal,
-    /// The multipliers of [`Workspace`] prove the set empty.
+    /// The certificate of [`Workspace`] proves the set empty.
     Empty,
     /// A row contradicts the others, but the proof fails: the tableau has drifted, or the bounds are moved inward.
     Contradiction,
@@ -35,7 +36,12 @@ pub(crate) struct Workspace {
     pub(crate) residual: Residual,
     pub(crate) multipliers: Vec<Multiplier>,
     pub(crate) point: Vec<f64>,
+    /// Proof of the last [`Ending::Empty`].
+    pub(crate) certificate: Certificate,
+    /// The objective of a feasibility problem.
     pub(crate) zeros: Vec<f64>,
+    /// Scratch of a proof of non-emptiness, one entry a variable.
+    pub(crate) displacement: Vec<(f64, f64)>,
     pub(crate) pivots: usize,
 }
 
@@ -46,13 +52,22 @@ impl Workspace {
         self.ratio_test.resize(n, problem.stride());
         self.residual.resize(problem.stride());
         self.multipliers.clear();
-        self.multipliers.reserve(n + 1);
+        self.multipliers.reserve(n);
+        self.certificate.multipliers.clear();
+        self.certificate.multipliers.reserve(n + 1);
         self.point.resize(n, 0.0);
         self.zeros.resize(n, 0.0);
+        self.displacement.resize(n, (0.0, 0.0));
     }
 
     /// Runs the method on a priced and placed tableau. Without `certify` a contradiction is reported unproven.
-    pub(crate) fn run(&mut self, problem: &Problem, tableau: &mut Tableau, limit: usize, certify: bool) -> Ending {
+    pub(crate) fn run(
+        &mut self,
+        problem: &Problem,
+        tableau: &mut Tableau,
+        limit: usize,
+        certify: bool,
+    ) -> Ending {
         let mut tolerance = FEASIBILITY;
         while let Some(violation) = tableau.worst(tolerance) {
             if self.pivots >= limit {
@@ -86,21 +101,26 @@ impl Workspace {
     /// `x_r = T_r x_N` holds for every `x`; over the bounds of all variables the left side stays on one side of the right.
     fn farkas(&mut self, problem: &Problem, tableau: &Tableau, violation: Violation) -> bool {
         let n = problem.variables();
-        let ranges = problem.ranges();
-        self.multipliers.clear();
-        let own = tableau.rows.variable[violation.row] as usize;
-        if own >= n {
-            self.multipliers.push((own - n, violation.sign * ranges[own - n].scale));
-        }
-        for (&v, &t) in tableau.columns.variable.iter().zip(tableau.row(violation.row)) {
-            if v as usize >= n && t != 0.0 {
-                let i = v as usize - n;
-                self.multipliers.push((i, -violation.sign * t * ranges[i].scale));
+        self.certificate.multipliers.clear();
+        let mut push = |v: u32, coefficient: f64| {
+            if let Some(i) = (v as usize).checked_sub(n)
+                && coefficient != 0.0
+            {
+                self.certificate
+                    .multipliers
+                    .push((i, coefficient * problem.ranges()[i].scale));
             }
+        };
+        push(tableau.rows.variable[violation.row], violation.sign);
+        for (&v, &t) in tableau
+            .columns
+            .variable
+            .iter()
+            .zip(tableau.row(violation.row))
+        {
+            push(v, -violation.sign * t);
         }
-        let weight: f64 = self.multipliers.iter().map(|&(i, y)| y.abs() * ranges[i].norm).sum();
-        let bound = problem.weak_duality(&self.zeros, 0.0, &self.multipliers, &mut self.residual);
-        bound < -MISS * weight
+        self.certificate.miss(problem) > MISS
     }
 
     /// Reads the multipliers off the reduced costs and the point off the vertex.
@@ -108,16 +128,24 @@ impl Workspace {
         let n = problem.variables();
         self.multipliers.clear();
         let columns = &tableau.columns;
-        for ((&v, &cost), &value) in columns.variable.iter().zip(&columns.cost).zip(&columns.value) {
+        for ((&v, &cost), &value) in columns
+            .variable
+            .iter()
+            .zip(&columns.cost)
+            .zip(&columns.value)
+        {
             match (v as usize).checked_sub(n) {
                 None => self.point[v as usize] = value,
-                Some(i) if cost != 0.0 => self.multipliers.push((i, cost * problem.ranges()[i].scale)),
+                Some(i) if cost != 0.0 => {
+                    self.multipliers.push((i, cost * problem.ranges()[i].scale))
+                }
                 Some(_) => {}
             }
         }
         for (&v, &value) in tableau.rows.variable.iter().zip(&tableau.rows.value) {
             if (v as usize) < n {
-                self.point[v as usize] = value.clamp(-1.0, 1.0);
+                // A NaN becomes -1: the point is always in the box.
+                self.point[v as usize] = value.max(-1.0).min(1.0);
             }
         }
     }

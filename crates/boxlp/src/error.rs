@@ -64,18 +64,38 @@ pub enum LpError {
 impl fmt::Display for LpError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Length { expected, found } => write!(f, "expected {expected} entries, found {found}"),
+            Self::Length { expected, found } => {
+                write!(f, "expected {expected} entries, found {found}")
+            }
             Self::Entry { row, column, value } => {
-                write!(f, "entry ({row}, {column}) of the matrix is {value}, not a finite number")
+                write!(
+                    f,
+                    "entry ({row}, {column}) of the matrix is {value}, not a finite number"
+                )
             }
-            Self::RowOverflow { row } => write!(f, "the sum of the absolute entries of row {row} overflows"),
-            Self::Range { row, lower, upper } => write!(f, "row {row} has no range: [{lower}, {upper}]"),
+            Self::RowOverflow { row } => {
+                write!(f, "the sum of the absolute entries of row {row} overflows")
+            }
+            Self::Range { row, lower, upper } => {
+                write!(f, "row {row} has no range: [{lower}, {upper}]")
+            }
             Self::Objective { column, value } => {
-                write!(f, "coefficient {column} of the objective is {value}, not a finite number")
+                write!(
+                    f,
+                    "coefficient {column} of the objective is {value}, not a finite number"
+                )
             }
-            Self::ObjectiveOverflow => write!(f, "the sum of the absolute coefficients of the objective overflows"),
-            Self::RowIndex { row, rows } => write!(f, "row {row} does not exist: the problem has {rows} rows"),
-            Self::TooLarge { size } => write!(f, "{size} variables or rows are too many: the limit is 2^24"),
+            Self::ObjectiveOverflow => write!(
+                f,
+                "the sum of the absolute coefficients of the objective overflows"
+            ),
+            Self::RowIndex { row, rows } => {
+                write!(f, "row {row} does not exist: the problem has {rows} rows")
+            }
+            Self::TooLarge { size } => write!(
+                f,
+                "{size} variables or rows are too many: the limit is 2^24"
+            ),
         }
     }
 }

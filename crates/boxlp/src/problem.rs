@@ -54,7 +54,12 @@ impl Problem {
     /// # Errors
     /// [`LpError::TooLarge`] above 2^24 variables.
     pub fn new(variables: usize) -> Result<Self, LpError> {
-        let mut problem = Self { variables: 0, stride: LANES, matrix: Vec::new(), ranges: Vec::new() };
+        let mut problem = Self {
+            variables: 0,
+            stride: LANES,
+            matrix: Vec::new(),
+            ranges: Vec::new(),
+        };
         problem.reset(variables)?;
         Ok(problem)
     }
@@ -70,7 +75,12 @@ impl Problem {
     ///
     /// # Errors
     /// [`LpError::Length`], [`LpError::Entry`], [`LpError::Range`], [`LpError::RowOverflow`] or [`LpError::TooLarge`].
-    pub fn from_columns(variables: usize, columns: &[f64], lower: &[f64], upper: &[f64]) -> Result<Self, LpError> {
+    pub fn from_columns(
+        variables: usize,
+        columns: &[f64],
+        lower: &[f64],
+        upper: &[f64],
+    ) -> Result<Self, LpError> {
         let mut problem = Self::new(variables)?;
         problem.assign_columns(variables, columns, lower, upper)?;
         Ok(problem)
@@ -157,7 +167,10 @@ impl Problem {
     /// [`LpError::RowIndex`] or [`LpError::Range`].
     pub fn set_range(&mut self, row: usize, lower: f64, upper: f64) -> Result<(), LpError> {
         if row >= self.rows() {
-            return Err(LpError::RowIndex { row, rows: self.rows() });
+            return Err(LpError::RowIndex {
+                row,
+                rows: self.rows(),
+            });
         }
         self.ranges[row] = Range::new(row, self.row(row), lower, upper)?;
         Ok(())
@@ -175,7 +188,8 @@ impl Problem {
         for i in 0..self.rows() {
             if keep(i) {
                 self.ranges[kept] = self.ranges[i];
-                self.matrix.copy_within(i * self.stride..(i + 1) * self.stride, kept * self.stride);
+                self.matrix
+                    .copy_within(i * self.stride..(i + 1) * self.stride, kept * self.stride);
                 kept += 1;
             }
         }
@@ -227,7 +241,9 @@ impl Problem {
 
 impl PartialEq for Problem {
     fn eq(&self, other: &Self) -> bool {
-        self.variables == other.variables && self.matrix == other.matrix && self.ranges == other.ranges
+        self.variables == other.variables
+            && self.matrix == other.matrix
+            && self.ranges == other.ranges
     }
 }
 
@@ -235,20 +251,39 @@ impl Range {
     fn new(index: usize, row: &[f64], lower: f64, upper: f64) -> Result<Self, LpError> {
         // NaN fails both comparisons.
         if !(lower <= upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY) {
-            return Err(LpError::Range { row: index, lower, upper });
+            return Err(LpError::Range {
+                row: index,
+                lower,
+                upper,
+            });
         }
         let norm = norm1_up(row);
         if !norm.is_finite() {
             return Err(match row.iter().position(|v| !v.is_finite()) {
-                Some(column) => LpError::Entry { row: index, column, value: row[column] },
+                Some(column) => LpError::Entry {
+                    row: index,
+                    column,
+                    value: row[column],
+                },
                 None => LpError::RowOverflow { row: index },
             });
         }
         // A range beyond the reach of the row (lower > norm) keeps its near end: nothing satisfies it, and a bound on
         // nothing is valid whatever stands at the far end.
-        let lo = if lower < -norm { upper.min(-norm) } else { lower };
+        let lo = if lower < -norm {
+            upper.min(-norm)
+        } else {
+            lower
+        };
         let hi = if upper > norm { lower.max(norm) } else { upper };
-        Ok(Self { lower, upper, lo, hi, norm, scale: reciprocal_power_of_two(norm) })
+        Ok(Self {
+            lower,
+            upper,
+            lo,
+            hi,
+            norm,
+            scale: reciprocal_power_of_two(norm),
+        })
     }
 }
 
@@ -262,5 +297,9 @@ fn reciprocal_power_of_two(norm: f64) -> f64 {
 }
 
 pub(crate) fn check_length(expected: usize, found: usize) -> Result<(), LpError> {
-    if expected == found { Ok(()) } else { Err(LpError::Length { expected, found }) }
+    if expected == found {
+        Ok(())
+    } else {
+        Err(LpError::Length { expected, found })
+    }
 }

@@ -53,7 +53,11 @@ impl RatioTest {
         let mut largest = 0.0;
         for (j, (&t, &side)) in row.iter().zip(&columns.side).enumerate() {
             let entry = violation.sign * t * side;
-            self.candidates[count] = Candidate { column: j as u32, entry, ratio: 0.0 };
+            self.candidates[count] = Candidate {
+                column: j as u32,
+                entry,
+                ratio: 0.0,
+            };
             count += usize::from(entry > ZERO_PIVOT);
             let modulus = t.abs();
             largest = if modulus > largest { modulus } else { largest };
@@ -65,7 +69,8 @@ impl RatioTest {
         // Selection sort up to the breakpoint where the slope vanishes: few columns flip as a rule.
         let mut rest = violation.amount;
         let mut passed = 0;
-        while passed < count && (rest > 0.0 || candidates[passed - 1].entry < SMALL_PIVOT * largest) {
+        while passed < count && (rest > 0.0 || candidates[passed - 1].entry < SMALL_PIVOT * largest)
+        {
             let mut best = passed;
             for k in passed + 1..count {
                 let (c, b) = (&candidates[k], &candidates[best]);
@@ -81,14 +86,23 @@ impl RatioTest {
         }
         let passed = &candidates[..passed];
         // The last one enters; if its entry is too small to divide by, the last one before it that is not.
-        let entering = passed.iter().rposition(|c| c.entry >= SMALL_PIVOT * largest).or_else(|| {
-            (0..passed.len()).max_by(|&a, &b| passed[a].entry.total_cmp(&passed[b].entry))
-        });
+        let entering = passed
+            .iter()
+            .rposition(|c| c.entry >= SMALL_PIVOT * largest)
+            .or_else(|| {
+                (0..passed.len()).max_by(|&a, &b| passed[a].entry.total_cmp(&passed[b].entry))
+            });
         self.flips.clear();
         for c in &passed[..entering.unwrap_or(0)] {
             let j = c.column as usize;
-            self.flips.push((c.column, columns.side[j] * (columns.lower[j] - columns.upper[j])));
+            self.flips.push((
+                c.column,
+                columns.side[j] * (columns.lower[j] - columns.upper[j]),
+            ));
         }
-        Entering { column: entering.map(|k| passed[k].column as usize), rest }
+        Entering {
+            column: entering.map(|k| passed[k].column as usize),
+            rest,
+        }
     }
 }

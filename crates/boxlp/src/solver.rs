@@ -1,20 +1,27 @@
 //! The solver: a problem, its tableau, and the answers.
 
+use crate::LpError;
 use crate::bound::Multiplier;
 use crate::certificate::Certificate;
 use crate::dual_simplex::{Ending, Workspace};
 use crate::problem::Problem;
 use crate::tableau::Tableau;
-use crate::LpError;
+use crate::witness::Witness;
 
-/// A gap above this share of `|c|_1` makes the solver rebuild a tableau that has seen exchanges, once per solve.
+/// A gap above this share of `|c|_1` makes the solver rebuild a tableau that has seen exchanges, once a solve.
 const GAP: f64 = 1e-11;
+
+/// A gap above this share of `|c|_1` on a rebuilt tableau is numerical doubt.
+const WIDE_GAP: f64 = 1e-6;
 
 /// A row's activity may differ by this from its value in the tableau (rows have 1-norms in [1/2, 1)).
 const DRIFT: f64 = 1e-10;
 
 /// Exchanges between two comparisons of the tableau with the data.
 const CHECK_EVERY: usize = 64;
+
+/// How far a witness is sought inside the set, in this order: a deep point survives the rounding of its proof.
+const MARGINS: [f64; 2] = [1e-7, 1e-10];
 
 /// Solves `max c'x` over `{ x : lower <= A x <= upper, |x_j| <= 1 }` for one objective after another.
 ///
@@ -39,11 +46,14 @@ pub struct Solver {
     problem: Problem,
     tableau: Tableau,
     workspace: Workspace,
+    witness: Witness,
     /// The tableau does not belong to the problem yet.
     stale: bool,
-    /// Proof that the present problem is empty, once found.
+    /// The ranges of the problem have changed.
+    moved: bool,
+    /// The problem has been proven empty.
     empty: bool,
-    certificate: Certificate,
+    /// Exchanges since the tableau was last compared with the data.
     unchecked: usize,
     pivot_limit: Option<usize>,
 }
@@ -54,7 +64,7 @@ pub struct Solver {
 pub enum Status {
     /// The point is a vertex of the set and optimal, to working accuracy.
     Optimal,
-    /// The set is proven empty: see [`Solver::certificate`]. Value and bound are minus infinity.
+    /// The set is proven empty: see [`Solver::emptiness`]. Value and bound are minus infinity.
     Empty,
     /// Stopped at the pivot limit or in numerical doubt: the point need not satisfy the rows, the bound may be loose.
     Stopped,
@@ -72,7 +82,7 @@ pub struct Solution<'a> {
     pub bound: f64,
     /// The point `x`, always in the box; it satisfies the rows to working accuracy if the status is `Optimal`.
     pub point: &'a [f64],
-    /// The multipliers that prove the bound, by [`Problem::upper_bound`]; or the set empty, as a [`Certificate`].
+    /// The multipliers that prove the bound, by [`Problem::upper_bound`]; those of the certificate if the set is empty.
     pub multipliers: &'a [Multiplier],
     /// Exchanges made.
     pub pivots: usize,
@@ -82,8 +92,23 @@ impl Solution<'_> {
     /// `bound - value`: how much tighter the bound could be at most, up to rounding of the value (0 for an empty set).
     #[must_use]
     pub fn gap(&self) -> f64 {
-        if self.status == Status::Empty { 0.0 } else { self.bound - self.value }
+        if self.status == Status::Empty {
+            0.0
+        } else {
+            self.bound - self.value
+        }
     }
+}
+
+/// Whether a set is empty. Nothing is claimed without a proof.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Emptiness<'a> {
+    /// Proven empty.
+    Empty(&'a Certificate),
+    /// Proven to have a point.
+    NonEmpty(&'a Witness),
+    /// Neither could be proven, as for a set that is a single point by the rounding of its data: to be treated as non-empty.
+    Undecided,
 }
 
 impl Solver {
@@ -94,9 +119,10 @@ impl Solver {
             problem,
             tableau: Tableau::default(),
             workspace: Workspace::default(),
+            witness: Witness::default(),
             stale: true,
+            moved: false,
             empty: false,
-            certificate: Certificate::default(),
             unchecked: 0,
             pivot_limit: None,
         }
@@ -108,11 +134,76 @@ impl Solver {
         &self.problem
     }
 
+    /// Turns to another problem: copies it, allocating nothing within capacity.
+    pub fn load(&mut self, problem: &Problem) {
+        self.problem.assign(problem);
+        self.stale = true;
+    }
+
+    /// Turns to the problem of [`Problem::from_columns`], allocating nothing within capacity.
+    ///
+    /// # Errors
+    /// Those of [`Problem::from_columns`]; the problem is then a box without rows.
+    pub fn load_columns(
+        &mut self,
+        variables: usize,
+        columns: &[f64],
+        lower: &[f64],
+        upper: &[f64],
+    ) -> Result<(), LpError> {
+        self.stale = true;
+        self.problem
+            .assign_columns(variables, columns, lower, upper)
+    }
+
+    /// Limits the exchanges of one solve, at which it ends as [`Status::Stopped`] with a looser bound.
+    ///
+    /// `None` is the default, `1000 + 50 (n + m)`: far more than a solve needs.
+    pub fn set_pivot_limit(&mut self, limit: Option<usize>) {
+        self.pivot_limit = limit;
+    }
+
+    /// Appends the row `lower <= row x <= upper`, keeping the basis, and returns its index.
+    ///
+    /// # Errors
+    /// Those of [`Problem::push_row`]; nothing changes then.
+    pub fn push_row(&mut self, row: &[f64], lower: f64, upper: f64) -> Result<usize, LpError> {
+        let index = self.problem.push_row(row, lower, upper)?;
+        if !self.stale {
+            self.tableau.append_row(&self.problem);
+        }
+        Ok(index)
+    }
+
+    /// Replaces the range of row `row`, keeping the basis.
+    ///
+    /// # Errors
+    /// Those of [`Problem::set_range`]; nothing changes then.
+    pub fn set_range(&mut self, row: usize, lower: f64, upper: f64) -> Result<(), LpError> {
+        self.problem.set_range(row, lower, upper)?;
+        self.moved = true;
+        self.empty = false;
+        Ok(())
+    }
+
+    /// Keeps the first `rows` rows, and what of the basis does not depend on the others.
+    pub fn truncate_rows(&mut self, rows: usize) {
+        self.retain_rows(|i| i < rows);
+    }
+
+    /// Keeps the rows for whose index `keep` says `true`, in their order, and what of the basis does not depend on the others.
+    pub fn retain_rows(&mut self, keep: impl FnMut(usize) -> bool) {
+        let keep: Vec<bool> = (0..self.problem.rows()).map(keep).collect();
+        self.problem.retain_rows(|i| keep[i]);
+        self.empty = false;
+        self.stale = self.stale || !self.tableau.retain_rows(&keep);
+    }
+
     /// Maximises `c'x`.
     ///
     /// Method: dual simplex with bound flips from the last basis; the multipliers are read off the reduced costs and give
-    /// the bound by weak duality ([`Problem::upper_bound`]). Should the gap or the rows show that the tableau has drifted, it
-    /// is rebuilt from the data, once.
+    /// the bound by weak duality ([`Problem::upper_bound`]). Should the gap or the rows show that the tableau has drifted,
+    /// it is rebuilt from the data, once.
     ///
     /// **Guarantee:** `max c'x <= bound` in real arithmetic; [`Status::Empty`] only if the set is proven empty. The minimum
     /// of `c'x` is at least minus the bound for `-c`.
@@ -121,52 +212,154 @@ impl Solver {
     /// [`LpError::Length`], [`LpError::Objective`] or [`LpError::ObjectiveOverflow`].
     pub fn maximize(&mut self, objective: &[f64]) -> Result<Solution<'_>, LpError> {
         let norm = self.problem.check_objective(objective)?;
-        Ok(self.solve(objective, norm))
+        self.prepare();
+        let (status, value, bound) = self.solve(objective, norm);
+        let Workspace {
+            certificate,
+            multipliers,
+            point,
+            pivots,
+            ..
+        } = &self.workspace;
+        let multipliers = if self.empty {
+            certificate.multipliers()
+        } else {
+            multipliers
+        };
+        Ok(Solution {
+            status,
+            value,
+            bound,
+            point,
+            multipliers,
+            pivots: *pivots,
+        })
     }
 
-    fn solve(&mut self, objective: &[f64], norm: f64) -> Solution<'_> {
-        self.workspace.pivots = 0;
-        let limit = self.pivot_limit.unwrap_or(1000 + 50 * (self.problem.variables() + self.problem.rows()));
+    /// Decides whether the set is empty, with a proof either way.
+    ///
+    /// Method: the dual simplex for `c = 0` ends with a contradiction, of which a [`Certificate`] is made, or with a vertex.
+    /// Around it, or around a vertex of the set with all bounds moved inward a little, a [`Witness`] is proven.
+    ///
+    /// **Guarantee:** `Empty` and `NonEmpty` hold in real arithmetic.
+    ///
+    /// ```
+    /// use boxlp::{Emptiness, Problem, Solver};
+    /// let mut problem = Problem::new(2)?;
+    /// problem.push_row(&[0.1, 0.3], 0.2, 0.2)?;
+    /// let mut solver = Solver::new(problem);
+    /// assert!(matches!(solver.emptiness(), Emptiness::NonEmpty(witness) if witness.radius() < 1e-15));
+    /// solver.push_row(&[0.2, 0.6], 0.5, f64::INFINITY)?;
+    /// let problem = solver.problem().clone();
+    /// assert!(matches!(solver.emptiness(), Emptiness::Empty(certificate) if certificate.verify(&problem)));
+    /// # Ok::<(), boxlp::LpError>(())
+    /// ```
+    pub fn emptiness(&mut self) -> Emptiness<'_> {
         self.prepare();
-        let mut rebuilt = self.tableau.age == 0;
-        let (status, value, bound) = loop {
-            if self.empty {
-                break (Status::Empty, f64::NEG_INFINITY, f64::NEG_INFINITY);
-            }
-            self.tableau.price(objective);
+        let zeros = core::mem::take(&mut self.workspace.zeros);
+        self.solve(&zeros, 0.0);
+        let proven = !self.empty && self.find_witness(&zeros);
+        self.workspace.zeros = zeros;
+        match (self.empty, proven) {
+            (true, _) => Emptiness::Empty(&self.workspace.certificate),
+            (false, true) => Emptiness::NonEmpty(&self.witness),
+            (false, false) => Emptiness::Undecided,
+        }
+    }
+
+    fn find_witness(&mut self, zeros: &[f64]) -> bool {
+        if self
+            .witness
+            .prove(&self.problem, &self.tableau, &mut self.workspace)
+        {
+            return true;
+        }
+        let proven = MARGINS.iter().any(|&margin| {
+            self.tableau.set_bounds(&self.problem, margin);
+            self.tableau.price(zeros);
             self.tableau.place();
-            let before = self.workspace.pivots;
-            let ending = self.workspace.run(&self.problem, &mut self.tableau, limit, true);
-            self.unchecked += self.workspace.pivots - before;
-            if ending == Ending::Empty {
-                self.empty = true;
-                self.certificate.multipliers.clone_from(&self.workspace.multipliers);
-                continue;
+            self.workspace.pivots = 0;
+            let limit = self.limit();
+            if self
+                .workspace
+                .run(&self.problem, &mut self.tableau, limit, false)
+                != Ending::Optimal
+            {
+                return false;
             }
             self.workspace.read(&self.problem, &self.tableau);
-            let Workspace { multipliers, residual, point, .. } = &mut self.workspace;
-            let bound = self.problem.weak_duality(objective, norm, multipliers, residual);
-            let value: f64 = objective.iter().zip(&*point).map(|(c, x)| c * x).sum();
-            let sound = ending == Ending::Optimal && bound - value <= GAP * norm && !self.has_drifted();
-            if sound || rebuilt || ending == Ending::Limit {
-                let status = if ending == Ending::Optimal { Status::Optimal } else { Status::Stopped };
-                break (status, value, bound);
-            }
-            rebuilt = true;
-            self.tableau.rebuild(&self.problem);
-            self.unchecked = 0;
-        };
-        let Workspace { multipliers, point, pivots, .. } = &self.workspace;
-        let multipliers = if self.empty { &self.certificate.multipliers } else { multipliers };
-        Solution { status, value, bound, point, multipliers, pivots: *pivots }
+            self.witness
+                .prove(&self.problem, &self.tableau, &mut self.workspace)
+        });
+        self.tableau.set_bounds(&self.problem, 0.0);
+        proven
     }
 
+    fn limit(&self) -> usize {
+        self.pivot_limit
+            .unwrap_or(1000 + 50 * (self.problem.variables() + self.problem.rows()))
+    }
+
+    /// Brings the tableau up to date with the problem.
     fn prepare(&mut self) {
         if self.stale {
             self.tableau.build(&self.problem);
             self.workspace.resize(&self.problem);
-            self.stale = false;
             self.empty = false;
+            self.unchecked = 0;
+        } else if self.moved {
+            self.tableau.set_bounds(&self.problem, 0.0);
+        }
+        self.stale = false;
+        self.moved = false;
+        self.workspace.pivots = 0;
+    }
+
+    /// Status, value and bound; the rest is in the workspace.
+    fn solve(&mut self, objective: &[f64], norm: f64) -> (Status, f64, f64) {
+        let limit = self.limit();
+        let mut rebuilt = self.tableau.age == 0;
+        loop {
+            if self.empty {
+                return (Status::Empty, f64::NEG_INFINITY, f64::NEG_INFINITY);
+            }
+            self.tableau.price(objective);
+            self.tableau.place();
+            let before = self.workspace.pivots;
+            let ending = self
+                .workspace
+                .run(&self.problem, &mut self.tableau, limit, true);
+            self.unchecked += self.workspace.pivots - before;
+            self.empty = ending == Ending::Empty;
+            if self.empty {
+                continue;
+            }
+            self.workspace.read(&self.problem, &self.tableau);
+            let Workspace {
+                multipliers,
+                residual,
+                point,
+                ..
+            } = &mut self.workspace;
+            let bound = self
+                .problem
+                .weak_duality(objective, norm, multipliers, residual);
+            let value: f64 = objective.iter().zip(&*point).map(|(c, x)| c * x).sum();
+            let gap = bound - value;
+            let sound = ending == Ending::Optimal && !self.has_drifted();
+            if sound && gap <= GAP * norm {
+                return (Status::Optimal, value, bound);
+            }
+            if rebuilt || ending == Ending::Limit {
+                let status = if sound && gap <= WIDE_GAP * norm {
+                    Status::Optimal
+                } else {
+                    Status::Stopped
+                };
+                return (status, value, bound);
+            }
+            rebuilt = true;
+            self.tableau.rebuild(&self.problem);
             self.unchecked = 0;
         }
     }

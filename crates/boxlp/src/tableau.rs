@@ -94,7 +94,8 @@ impl Tableau {
         self.age = 0;
         for i in 0..rows {
             let range = &problem.ranges()[i];
-            self.matrix.extend(problem.padded_row(i).iter().map(|a| a * range.scale));
+            self.matrix
+                .extend(problem.padded_row(i).iter().map(|a| a * range.scale));
             let (lower, upper) = scaled_range(range, self.margin);
             self.rows.push((self.variables + i) as u32, lower, upper);
         }
@@ -224,14 +225,20 @@ impl Tableau {
         for r in 0..self.rows.variable.len() {
             let v = self.rows.variable[r] as usize;
             if v < n || keep[v - n] {
-                self.matrix.copy_within(r * self.stride..(r + 1) * self.stride, kept * self.stride);
+                self.matrix
+                    .copy_within(r * self.stride..(r + 1) * self.stride, kept * self.stride);
                 self.rows.move_to(r, kept);
                 kept += 1;
             }
         }
         self.rows.truncate(kept);
         self.matrix.truncate(kept * self.stride);
-        for v in self.rows.variable.iter_mut().chain(&mut self.columns.variable) {
+        for v in self
+            .rows
+            .variable
+            .iter_mut()
+            .chain(&mut self.columns.variable)
+        {
             if *v as usize >= n {
                 *v = number[*v as usize - n];
             }
@@ -245,7 +252,12 @@ impl Tableau {
         for (cost, &v) in self.columns.cost.iter_mut().zip(&self.columns.variable) {
             *cost = objective.get(v as usize).copied().unwrap_or(0.0);
         }
-        for (&v, row) in self.rows.variable.iter().zip(self.matrix.chunks_exact(self.stride)) {
+        for (&v, row) in self
+            .rows
+            .variable
+            .iter()
+            .zip(self.matrix.chunks_exact(self.stride))
+        {
             if (v as usize) < n {
                 let c = objective[v as usize];
                 if c != 0.0 {
@@ -259,7 +271,12 @@ impl Tableau {
     /// the basic ones.
     pub(crate) fn place(&mut self) {
         self.columns.place();
-        for (value, row) in self.rows.value.iter_mut().zip(self.matrix.chunks_exact(self.stride)) {
+        for (value, row) in self
+            .rows
+            .value
+            .iter_mut()
+            .zip(self.matrix.chunks_exact(self.stride))
+        {
             *value = dot(row, &self.columns.value);
         }
     }
@@ -281,7 +298,12 @@ impl Tableau {
 
     /// The basic variable furthest outside its bounds, if that is more than `tolerance`.
     pub(crate) fn worst(&self, tolerance: f64) -> Option<Violation> {
-        let Rows { value, lower, upper, .. } = &self.rows;
+        let Rows {
+            value,
+            lower,
+            upper,
+            ..
+        } = &self.rows;
         let mut row = usize::MAX;
         let mut amount = tolerance;
         for (r, ((x, lo), hi)) in value.iter().zip(lower).zip(upper).enumerate() {
@@ -292,7 +314,11 @@ impl Tableau {
                 row = r;
             }
         }
-        let sign = if value.get(row)? > &upper[row] { 1.0 } else { -1.0 };
+        let sign = if value.get(row)? > &upper[row] {
+            1.0
+        } else {
+            -1.0
+        };
         Some(Violation { row, sign, amount })
     }
 
@@ -304,7 +330,11 @@ impl Tableau {
             value += self.matrix[r * self.stride + j as usize] * change;
             self.columns.flip(j as usize);
         }
-        let target = if violation.sign > 0.0 { self.rows.upper[r] } else { self.rows.lower[r] };
+        let target = if violation.sign > 0.0 {
+            self.rows.upper[r]
+        } else {
+            self.rows.lower[r]
+        };
         let change = (target - value) / self.matrix[r * self.stride + q];
         let entering = self.columns.value[q] + change;
         self.columns.value[q] = target;
@@ -321,27 +351,24 @@ impl Tableau {
         let inverse = 1.0 / row[q];
         let pivot_row = &mut self.pivot_row[..stride];
         pivot_row.copy_from_slice(row);
-        pivot_row[q] = -1.0;
-        let (values_before, values_rest) = self.rows.value.split_at_mut(r);
-        let rows_before = before.chunks_exact_mut(stride).zip(values_before);
-        let rows_after = after.chunks_exact_mut(stride).zip(&mut values_rest[1..]);
-        for (other, value) in rows_before.chain(rows_after) {
-            for &(j, change) in flips {
-                *value += other[j as usize] * change;
-            }
-            let a = other[q];
-            if a != 0.0 {
-                *value += a * change;
-                other[q] = 0.0;
-                add_multiple(-(a * inverse), pivot_row, other);
-            }
-        }
-        let cost = self.columns.cost[q];
-        self.columns.cost[q] = 0.0;
-        add_multiple(-(cost * inverse), pivot_row, &mut self.columns.cost);
+        pivot_row[q] = 0.0;
+        let (values_before, values_after) = self.rows.value.split_at_mut(r);
+        let elimination = Elimination {
+            pivot_row,
+            inverse,
+            column: q,
+            change,
+            flips,
+        };
+        elimination.run(before, values_before);
+        elimination.run(after, &mut values_after[1..]);
+        let quotient = self.columns.cost[q] * inverse;
+        add_multiple(-quotient, pivot_row, &mut self.columns.cost);
+        self.columns.cost[q] = quotient;
         for (entry, p) in row.iter_mut().zip(&*pivot_row) {
             *entry = -inverse * p;
         }
+        row[q] = inverse;
         core::mem::swap(&mut self.rows.variable[r], &mut self.columns.variable[q]);
         core::mem::swap(&mut self.rows.lower[r], &mut self.columns.lower[q]);
         core::mem::swap(&mut self.rows.upper[r], &mut self.columns.upper[q]);
@@ -410,15 +437,81 @@ impl Columns {
 
     fn flip(&mut self, j: usize) {
         self.side[j] = -self.side[j];
-        self.value[j] = if self.side[j] < 0.0 { self.lower[j] } else { self.upper[j] };
+        self.value[j] = if self.side[j] < 0.0 {
+            self.lower[j]
+        } else {
+            self.upper[j]
+        };
     }
 
     fn place(&mut self) {
-        let Self { value, lower, upper, side, cost, .. } = self;
+        let Self {
+            value,
+            lower,
+            upper,
+            side,
+            cost,
+            ..
+        } = self;
         for ((((x, s), d), lo), hi) in value.iter_mut().zip(side).zip(cost).zip(lower).zip(upper) {
-            let wish = if *d < 0.0 || (*d == 0.0 && *s < 0.0) { -1.0 } else { 1.0 };
+            let wish = if *d < 0.0 || (*d == 0.0 && *s < 0.0) {
+                -1.0
+            } else {
+                1.0
+            };
             *s = if lo < hi { wish } else { 0.0 };
             *x = if wish < 0.0 { *lo } else { *hi };
+        }
+    }
+}
+
+/// The elimination of the pivot column from the other rows, and the move of their basic variables.
+struct Elimination<'a> {
+    /// The pivot row, with 0 in the pivot column.
+    pivot_row: &'a [f64],
+    /// Reciprocal of the pivot.
+    inverse: f64,
+    column: usize,
+    change: f64,
+    flips: &'a [Flip],
+}
+
+impl Elimination<'_> {
+    /// Dispatches on the padded number of columns: short rows are worth a loop of known length.
+    fn run(&self, rows: &mut [f64], values: &mut [f64]) {
+        match self.pivot_row.len() {
+            4 => self.run_sized::<4>(rows, values),
+            8 => self.run_sized::<8>(rows, values),
+            12 => self.run_sized::<12>(rows, values),
+            16 => self.run_sized::<16>(rows, values),
+            stride => {
+                for (row, value) in rows.chunks_exact_mut(stride).zip(values) {
+                    self.update(row, self.pivot_row, value);
+                }
+            }
+        }
+    }
+
+    fn run_sized<const S: usize>(&self, rows: &mut [f64], values: &mut [f64]) {
+        if let Some(pivot_row) = self.pivot_row.first_chunk::<S>() {
+            let pivot_row = *pivot_row;
+            for (row, value) in rows.as_chunks_mut::<S>().0.iter_mut().zip(values) {
+                self.update(row, &pivot_row, value);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn update(&self, row: &mut [f64], pivot_row: &[f64], value: &mut f64) {
+        for &(j, change) in self.flips {
+            *value += row[j as usize] * change;
+        }
+        let entry = row[self.column];
+        if entry != 0.0 {
+            *value += entry * self.change;
+            let quotient = entry * self.inverse;
+            add_multiple(-quotient, pivot_row, row);
+            row[self.column] = quotient;
         }
     }
 }
@@ -432,18 +525,19 @@ fn scaled_range(range: &Range, margin: f64) -> (f64, f64) {
 
 /// `target += factor * row`.
 fn add_multiple(factor: f64, row: &[f64], target: &mut [f64]) {
-    let (rows, _) = row.as_chunks::<LANES>();
-    let (targets, _) = target.as_chunks_mut::<LANES>();
-    for (a, t) in rows.iter().zip(targets) {
-        for l in 0..LANES {
-            t[l] += factor * a[l];
-        }
+    for (t, a) in target.iter_mut().zip(row) {
+        *t += factor * a;
     }
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; LANES];
-    for (a, b) in a.as_chunks::<LANES>().0.iter().zip(b.as_chunks::<LANES>().0) {
+    for (a, b) in a
+        .as_chunks::<LANES>()
+        .0
+        .iter()
+        .zip(b.as_chunks::<LANES>().0)
+    {
         for l in 0..LANES {
             sums[l] += a[l] * b[l];
         }
