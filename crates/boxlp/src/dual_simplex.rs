@@ -75,22 +75,26 @@ impl Workspace {
             }
             let row = tableau.row(violation.row);
             let entering = self.ratio_test.run(row, &tableau.columns, violation);
-            if entering.rest > 0.0 {
-                if certify && self.farkas(problem, tableau, violation) {
-                    return Ending::Empty;
+            let doubtful = entering.rest > 0.0 || !entering.stable;
+            let tiny = doubtful && {
+                let norm = 1.0 + row.iter().map(|t| t.abs()).sum::<f64>();
+                if entering.rest > 0.0 {
+                    if certify && self.farkas(problem, tableau, violation) {
+                        return Ending::Empty;
+                    }
+                    if entering.rest > CONTRADICTION * norm {
+                        return Ending::Contradiction;
+                    }
                 }
-                let norm: f64 = 1.0 + row.iter().map(|t| t.abs()).sum::<f64>();
-                if entering.rest > CONTRADICTION * norm {
-                    return Ending::Contradiction;
-                }
-            }
+                violation.amount <= CONTRADICTION * norm
+            };
             match entering.column {
-                Some(column) => {
+                Some(column) if entering.stable || !tiny => {
                     tableau.step(violation, column, &self.ratio_test.flips);
                     self.pivots += 1;
                 }
-                // The row touches its bound as well as working accuracy can tell.
-                None => tolerance = 2.0 * violation.amount,
+                // The row touches its bound as well as working accuracy can tell: exchanges would divide by errors.
+                _ => tolerance = 2.0 * violation.amount,
             }
         }
         Ending::Optimal

@@ -7,7 +7,7 @@
 
 use crate::tableau::{Columns, Flip, Violation};
 
-/// Columns with entries below this share of the row's largest flip, but enter only if there is no other.
+/// A column enters with an entry below this share of the row's largest only if there is no other.
 const SMALL_PIVOT: f64 = 1e-7;
 
 /// Entries below this are rounding errors: their column neither flips nor enters.
@@ -38,6 +38,8 @@ pub(crate) struct Entering {
     pub(crate) column: Option<usize>,
     /// What is left of the violation when all columns have flipped: positive means that the row contradicts the others.
     pub(crate) rest: f64,
+    /// Whether there is a column and its entry is no rounding error beside the others of the row.
+    pub(crate) stable: bool,
 }
 
 impl RatioTest {
@@ -50,7 +52,8 @@ impl RatioTest {
     /// Runs the test on the tableau's row of the violated variable; leaves the flips in [`RatioTest::flips`].
     pub(crate) fn run(&mut self, row: &[f64], columns: &Columns, violation: Violation) -> Entering {
         let mut count = 0;
-        let mut largest = 0.0;
+        // The basic variable itself has the entry 1.
+        let mut largest = 1.0;
         for (j, (&t, &side)) in row.iter().zip(&columns.side).enumerate() {
             let entry = violation.sign * t * side;
             self.candidates[count] = Candidate {
@@ -86,12 +89,9 @@ impl RatioTest {
         }
         let passed = &candidates[..passed];
         // The last one enters; if its entry is too small to divide by, the last one before it that is not.
-        let entering = passed
-            .iter()
-            .rposition(|c| c.entry >= SMALL_PIVOT * largest)
-            .or_else(|| {
-                (0..passed.len()).max_by(|&a, &b| passed[a].entry.total_cmp(&passed[b].entry))
-            });
+        let sound = passed.iter().rposition(|c| c.entry >= SMALL_PIVOT * largest);
+        let widest = || (0..passed.len()).max_by(|&a, &b| passed[a].entry.total_cmp(&passed[b].entry));
+        let entering = sound.or_else(widest);
         self.flips.clear();
         for c in &passed[..entering.unwrap_or(0)] {
             let j = c.column as usize;
@@ -103,6 +103,7 @@ impl RatioTest {
         Entering {
             column: entering.map(|k| passed[k].column as usize),
             rest,
+            stable: sound.is_some(),
         }
     }
 }

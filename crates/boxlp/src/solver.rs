@@ -5,6 +5,7 @@ use crate::bound::Multiplier;
 use crate::certificate::Certificate;
 use crate::dual_simplex::{Ending, Workspace};
 use crate::problem::Problem;
+use crate::rounding::UNDERFLOW;
 use crate::tableau::Tableau;
 use crate::witness::Witness;
 
@@ -347,11 +348,11 @@ impl Solver {
             let value: f64 = objective.iter().zip(&*point).map(|(c, x)| c * x).sum();
             let gap = bound - value;
             let sound = ending == Ending::Optimal && !self.has_drifted();
-            if sound && gap <= GAP * norm {
+            if sound && gap <= GAP * norm + 2.0 * UNDERFLOW {
                 return (Status::Optimal, value, bound);
             }
             if rebuilt || ending == Ending::Limit {
-                let status = if sound && gap <= WIDE_GAP * norm {
+                let status = if sound && gap <= WIDE_GAP * norm + 2.0 * UNDERFLOW {
                     Status::Optimal
                 } else {
                     Status::Stopped

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 /// What was seen of one kind.
 #[derive(Clone, Debug, Default)]
 struct Tally {
+    seconds: f64,
     sets: usize,
     lps: usize,
     pivots: usize,
@@ -89,19 +90,21 @@ fn the_corpus_agrees_with_two_other_solvers() {
     let mut solver = Solver::new(boxlp::Problem::new(0).unwrap());
     for kind in KINDS {
         let tally = tallies.entry(kind).or_default();
+        let start = std::time::Instant::now();
         for (k, &size) in SIZES.iter().enumerate() {
             for seed in 0..seeds(kind, k) as u64 {
                 run(&case(kind, size, seed), seed, &mut solver, tally);
             }
         }
+        tally.seconds = start.elapsed().as_secs_f64();
     }
     let (sets, lps) = tallies.values().fold((0, 0), |(s, l), t| (s + t.sets, l + t.lps));
     println!("{sets} sets, {lps} LPs; errors and gaps as shares of 1 + |c|_1");
     for (kind, t) in &tallies {
         println!(
-            "{kind:?}: {} sets, {} LPs, {:.1} pivots an LP, {} stopped | gap {:.1e} | microlp off {:.1e}, failed {}, \
+            "{kind:?}: {:.1} s, {} sets, {} LPs, {:.1} pivots an LP, {} stopped | gap {:.1e} | microlp off {:.1e}, failed {}, \
              false empty {} | Clarabel off {:.1e}, unsolved {} | proven empty {}, non-empty {}",
-            t.sets, t.lps, t.pivots as f64 / t.lps as f64, t.stopped, t.gap, t.microlp, t.microlp_failed,
+            t.seconds, t.sets, t.lps, t.pivots as f64 / t.lps as f64, t.stopped, t.gap, t.microlp, t.microlp_failed,
             t.microlp_false_empty, t.clarabel, t.clarabel_unsolved, t.empty, t.nonempty
         );
         assert_eq!(t.stopped, 0, "{kind:?}");
