@@ -54,6 +54,8 @@ pub struct Solver {
     moved: bool,
     /// The problem has been proven empty.
     empty: bool,
+    /// Scratch of [`Solver::retain_rows`].
+    keep: Vec<bool>,
     /// Exchanges since the tableau was last compared with the data.
     unchecked: usize,
     pivot_limit: Option<usize>,
@@ -124,6 +126,7 @@ impl Solver {
             stale: true,
             moved: false,
             empty: false,
+            keep: Vec::new(),
             unchecked: 0,
             pivot_limit: None,
         }
@@ -194,10 +197,11 @@ impl Solver {
 
     /// Keeps the rows for whose index `keep` says `true`, in their order, and what of the basis does not depend on the others.
     pub fn retain_rows(&mut self, keep: impl FnMut(usize) -> bool) {
-        let keep: Vec<bool> = (0..self.problem.rows()).map(keep).collect();
-        self.problem.retain_rows(|i| keep[i]);
+        self.keep.clear();
+        self.keep.extend((0..self.problem.rows()).map(keep));
+        self.problem.retain_rows(|i| self.keep[i]);
         self.empty = false;
-        self.stale = self.stale || !self.tableau.retain_rows(&keep);
+        self.stale = self.stale || !self.tableau.retain_rows(&self.keep);
     }
 
     /// Maximises `c'x`.

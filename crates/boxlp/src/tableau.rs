@@ -26,6 +26,8 @@ pub(crate) struct Tableau {
     pivot_row: Vec<f64>,
     /// Scratch of [`Tableau::rebuild`].
     marks: Vec<Mark>,
+    /// Scratch of [`Tableau::retain_rows`]: the new number of each logical.
+    numbers: Vec<u32>,
     /// How far the bounds are moved inward, see [`Tableau::set_bounds`].
     margin: f64,
     /// Exchanges since the tableau was built from the data.
@@ -215,10 +217,10 @@ impl Tableau {
                 self.exchange(best.1, j, 0.0, &[]);
             }
         }
-        let mut number: Vec<u32> = Vec::with_capacity(keep.len());
+        self.numbers.clear();
         let mut next = n as u32;
         for &kept in keep {
-            number.push(next);
+            self.numbers.push(next);
             next += u32::from(kept);
         }
         let mut kept = 0;
@@ -240,7 +242,7 @@ impl Tableau {
             .chain(&mut self.columns.variable)
         {
             if *v as usize >= n {
-                *v = number[*v as usize - n];
+                *v = self.numbers[*v as usize - n];
             }
         }
         true
