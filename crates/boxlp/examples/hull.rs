@@ -21,14 +21,22 @@ fn main() -> Result<(), LpError> {
     }
 
     if let Emptiness::NonEmpty(witness) = solver.emptiness() {
-        println!("for instance x = {:?}, within {:e}", witness.point(), witness.radius());
+        println!(
+            "for instance x = {:?}, within {:e}",
+            witness.point(),
+            witness.radius()
+        );
     }
 
     // A third measurement contradicts the others: the certificate names the rows and how far they are off.
     solver.push_row(&[1.0, 1.0], 1.2, f64::INFINITY)?;
     let problem = solver.problem().clone();
     if let Emptiness::Empty(certificate) = solver.emptiness() {
-        let rows: Vec<usize> = certificate.multipliers().iter().map(|&(row, _)| row).collect();
+        let rows: Vec<usize> = certificate
+            .multipliers()
+            .iter()
+            .map(|&(row, _)| row)
+            .collect();
         let miss = certificate.miss(&problem);
         println!("rows {rows:?} contradict each other, by {miss:.3} of their 1-norms");
     }

@@ -7,7 +7,10 @@ use crate::ratio_test::RatioTest;
 use crate::tableau::{Tableau, Violation};
 
 /// Violations below this (rows have 1-norms in [1/2, 1), the box has half-width 1) are rounding errors.
-const FEASIBILITY: f64 = 1e-13;
+pub(crate) const FEASIBILITY: f64 = 1e-13;
+
+/// How often the tolerance is loosened before the method gives up.
+const LOOSENINGS: usize = 2;
 
 /// A row contradicts the others beyond doubt only if it misses by more than this share of its 1-norm after all flips.
 const CONTRADICTION: f64 = 1e-9;
@@ -23,10 +26,22 @@ pub(crate) enum Ending {
     Optimal,
     /// The certificate of [`Workspace`] proves the set empty.
     Empty,
-    /// A row contradicts the others, but the proof fails: the tableau has drifted, or the bounds are moved inward.
-    Contradiction,
     /// The pivot limit was reached.
     Limit,
+    /// A row contradicts the others, but the proof fails; or the method does not come to an end. The tableau has drifted,
+    /// or the rows are dependent but for little.
+    Doubt,
+}
+
+/// What a run may do.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rules {
+    /// Most exchanges of all runs of a solve.
+    pub(crate) limit: usize,
+    /// Violations below this are forgiven.
+    pub(crate) tolerance: f64,
+    /// Whether a contradiction is to be proven from the data (else it is reported as [`Ending::Doubt`]).
+    pub(crate) certify: bool,
 }
 
 /// Scratch of a solve, and its result.
@@ -60,18 +75,25 @@ impl Workspace {
         self.displacement.resize(n, (0.0, 0.0));
     }
 
-    /// Runs the method on a priced and placed tableau. Without `certify` a contradiction is reported unproven.
-    pub(crate) fn run(
-        &mut self,
-        problem: &Problem,
-        tableau: &mut Tableau,
-        limit: usize,
-        certify: bool,
-    ) -> Ending {
-        let mut tolerance = FEASIBILITY;
+    /// Runs the method on a priced and placed tableau.
+    pub(crate) fn run(&mut self, problem: &Problem, tableau: &mut Tableau, rules: Rules) -> Ending {
+        let patience = 20 + 2 * (problem.variables() + problem.rows());
+        let mut loosen_at = self.pivots + patience;
+        let mut loosened = 0;
+        let mut tolerance = rules.tolerance;
         while let Some(violation) = tableau.worst(tolerance) {
-            if self.pivots >= limit {
+            if self.pivots >= rules.limit {
                 return Ending::Limit;
+            }
+            if self.pivots >= loosen_at {
+                // Rounding errors make the method cycle: forgive larger violations.
+                if loosened == LOOSENINGS {
+                    return Ending::Doubt;
+                }
+                loosened += 1;
+                loosen_at += patience;
+                tolerance *= 100.0;
+                continue;
             }
             let row = tableau.row(violation.row);
             let entering = self.ratio_test.run(row, &tableau.columns, violation);
@@ -79,11 +101,11 @@ impl Workspace {
             let tiny = doubtful && {
                 let norm = 1.0 + row.iter().map(|t| t.abs()).sum::<f64>();
                 if entering.rest > 0.0 {
-                    if certify && self.farkas(problem, tableau, violation) {
+                    if rules.certify && self.farkas(problem, tableau, violation) {
                         return Ending::Empty;
                     }
                     if entering.rest > CONTRADICTION * norm {
-                        return Ending::Contradiction;
+                        return Ending::Doubt;
                     }
                 }
                 violation.amount <= CONTRADICTION * norm

@@ -89,8 +89,11 @@ impl RatioTest {
         }
         let passed = &candidates[..passed];
         // The last one enters; if its entry is too small to divide by, the last one before it that is not.
-        let sound = passed.iter().rposition(|c| c.entry >= SMALL_PIVOT * largest);
-        let widest = || (0..passed.len()).max_by(|&a, &b| passed[a].entry.total_cmp(&passed[b].entry));
+        let sound = passed
+            .iter()
+            .rposition(|c| c.entry >= SMALL_PIVOT * largest);
+        let widest =
+            || (0..passed.len()).max_by(|&a, &b| passed[a].entry.total_cmp(&passed[b].entry));
         let entering = sound.or_else(widest);
         self.flips.clear();
         for c in &passed[..entering.unwrap_or(0)] {

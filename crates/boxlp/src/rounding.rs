@@ -49,7 +49,11 @@ pub(crate) fn mul_down(a: f64, b: f64) -> f64 {
 pub(crate) fn norm1_up(a: &[f64]) -> f64 {
     let sum: f64 = a.iter().map(|v| v.abs()).sum();
     // All partial sums are moduli: the exact sum is at most (1 + gamma) times the computed one. Sums never underflow.
-    if sum == 0.0 { 0.0 } else { (sum * (1.0 + gamma_up(a.len()))).next_up() }
+    if sum == 0.0 {
+        0.0
+    } else {
+        (sum * (1.0 + gamma_up(a.len()))).next_up()
+    }
 }
 
 /// Interval that contains the exact `sum a_j x_j`; a point if no operation rounds.

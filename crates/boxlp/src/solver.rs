@@ -3,7 +3,7 @@
 use crate::LpError;
 use crate::bound::Multiplier;
 use crate::certificate::Certificate;
-use crate::dual_simplex::{Ending, Workspace};
+use crate::dual_simplex::{Ending, FEASIBILITY, Rules, Workspace};
 use crate::problem::Problem;
 use crate::rounding::UNDERFLOW;
 use crate::tableau::Tableau;
@@ -14,6 +14,9 @@ const GAP: f64 = 1e-11;
 
 /// A gap above this share of `|c|_1` on a rebuilt tableau is numerical doubt.
 const WIDE_GAP: f64 = 1e-6;
+
+/// Violations forgiven when nothing else helps.
+const CAUTION: f64 = 1e-7;
 
 /// A row's activity may differ by this from its value in the tableau (rows have 1-norms in [1/2, 1)).
 const DRIFT: f64 = 1e-10;
@@ -162,7 +165,7 @@ impl Solver {
 
     /// Limits the exchanges of one solve, at which it ends as [`Status::Stopped`] with a looser bound.
     ///
-    /// `None` is the default, `1000 + 50 (n + m)`: far more than a solve needs.
+    /// `None` is the default: a solve ends by itself, after at most about `18 (n + m + 10)` exchanges, of which it needs few.
     pub fn set_pivot_limit(&mut self, limit: Option<usize>) {
         self.pivot_limit = limit;
     }
@@ -279,17 +282,18 @@ impl Solver {
         {
             return true;
         }
+        let limit = self.pivot_limit.unwrap_or(usize::MAX);
+        let rules = Rules {
+            limit,
+            tolerance: FEASIBILITY,
+            certify: false,
+        };
         let proven = MARGINS.iter().any(|&margin| {
             self.tableau.set_bounds(&self.problem, margin);
             self.tableau.price(zeros);
             self.tableau.place();
             self.workspace.pivots = 0;
-            let limit = self.limit();
-            if self
-                .workspace
-                .run(&self.problem, &mut self.tableau, limit, false)
-                != Ending::Optimal
-            {
+            if self.workspace.run(&self.problem, &mut self.tableau, rules) != Ending::Optimal {
                 return false;
             }
             self.workspace.read(&self.problem, &self.tableau);
@@ -298,11 +302,6 @@ impl Solver {
         });
         self.tableau.set_bounds(&self.problem, 0.0);
         proven
-    }
-
-    fn limit(&self) -> usize {
-        self.pivot_limit
-            .unwrap_or(1000 + 50 * (self.problem.variables() + self.problem.rows()))
     }
 
     /// Brings the tableau up to date with the problem.
@@ -321,52 +320,73 @@ impl Solver {
     }
 
     /// Status, value and bound; the rest is in the workspace.
+    ///
+    /// Three attempts: from the last basis; from the same basis rebuilt from the data, if the first left doubt; and from
+    /// the logical basis, forgiving small violations, if the rows are so nearly dependent that the proof needs huge
+    /// multipliers. The last one gives no optimal point but a better bound.
     fn solve(&mut self, objective: &[f64], norm: f64) -> (Status, f64, f64) {
-        let limit = self.limit();
+        const NOTHING: (Status, f64, f64) = (Status::Empty, f64::NEG_INFINITY, f64::NEG_INFINITY);
+        if self.empty {
+            return NOTHING;
+        }
+        let narrow = GAP * norm + 2.0 * UNDERFLOW;
+        let wide = WIDE_GAP * norm + 2.0 * UNDERFLOW;
+        let limit = self.pivot_limit.unwrap_or(usize::MAX);
+        let mut rules = Rules {
+            limit,
+            tolerance: FEASIBILITY,
+            certify: true,
+        };
         let mut rebuilt = self.tableau.age == 0;
         loop {
-            if self.empty {
-                return (Status::Empty, f64::NEG_INFINITY, f64::NEG_INFINITY);
+            let cautious = rules.tolerance > FEASIBILITY;
+            let (ending, value, bound) = self.attempt(objective, norm, rules);
+            if ending == Ending::Empty {
+                self.empty = true;
+                return NOTHING;
             }
-            self.tableau.price(objective);
-            self.tableau.place();
-            let before = self.workspace.pivots;
-            let ending = self
-                .workspace
-                .run(&self.problem, &mut self.tableau, limit, true);
-            self.unchecked += self.workspace.pivots - before;
-            self.empty = ending == Ending::Empty;
-            if self.empty {
-                continue;
-            }
-            self.workspace.read(&self.problem, &self.tableau);
-            let Workspace {
-                multipliers,
-                residual,
-                point,
-                ..
-            } = &mut self.workspace;
-            let bound = self
-                .problem
-                .weak_duality(objective, norm, multipliers, residual);
-            let value: f64 = objective.iter().zip(&*point).map(|(c, x)| c * x).sum();
             let gap = bound - value;
-            let sound = ending == Ending::Optimal && !self.has_drifted();
-            if sound && gap <= GAP * norm + 2.0 * UNDERFLOW {
+            let sound = ending == Ending::Optimal && !cautious && !self.has_drifted();
+            if sound && gap <= if rebuilt { wide } else { narrow } {
                 return (Status::Optimal, value, bound);
             }
-            if rebuilt || ending == Ending::Limit {
-                let status = if sound && gap <= WIDE_GAP * norm + 2.0 * UNDERFLOW {
-                    Status::Optimal
-                } else {
-                    Status::Stopped
-                };
-                return (status, value, bound);
+            if cautious || ending == Ending::Limit {
+                return (Status::Stopped, value, bound);
             }
-            rebuilt = true;
-            self.tableau.rebuild(&self.problem);
+            if rebuilt {
+                rules.tolerance = CAUTION;
+                self.tableau.build(&self.problem);
+            } else {
+                rebuilt = true;
+                self.tableau.rebuild(&self.problem);
+            }
             self.unchecked = 0;
         }
+    }
+
+    /// One run of the method: how it ended, value and bound.
+    fn attempt(&mut self, objective: &[f64], norm: f64, rules: Rules) -> (Ending, f64, f64) {
+        let Self {
+            problem,
+            tableau,
+            workspace,
+            ..
+        } = self;
+        tableau.price(objective);
+        tableau.place();
+        let before = workspace.pivots;
+        let ending = workspace.run(problem, tableau, rules);
+        self.unchecked += workspace.pivots - before;
+        workspace.read(problem, tableau);
+        let Workspace {
+            multipliers,
+            residual,
+            point,
+            ..
+        } = workspace;
+        let bound = problem.weak_duality(objective, norm, multipliers, residual);
+        let value = objective.iter().zip(&*point).map(|(c, x)| c * x).sum();
+        (ending, value, bound)
     }
 
     /// Compares the rows' activities at the point with their values in the tableau, every so many exchanges.

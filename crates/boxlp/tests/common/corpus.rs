@@ -37,7 +37,8 @@ pub(crate) const KINDS: [Kind; 13] = [
 ];
 
 /// (dimension, variables, rows): twice the dimension objectives a set.
-pub(crate) const SIZES: [(usize, usize, usize); 4] = [(2, 8, 3), (4, 12, 5), (10, 40, 10), (20, 200, 40)];
+pub(crate) const SIZES: [(usize, usize, usize); 4] =
+    [(2, 8, 3), (4, 12, 5), (10, 40, 10), (20, 200, 40)];
 
 impl Kind {
     pub(crate) fn is_empty(self) -> bool {
@@ -52,7 +53,12 @@ impl Kind {
     pub(crate) fn is_regular(self) -> bool {
         matches!(
             self,
-            Self::Regular | Self::Chain | Self::DuplicateGenerators | Self::ZeroColumns | Self::Tall4x150 | Self::Tall6x640
+            Self::Regular
+                | Self::Chain
+                | Self::DuplicateGenerators
+                | Self::ZeroColumns
+                | Self::Tall4x150
+                | Self::Tall6x640
         )
     }
 }
@@ -94,7 +100,11 @@ pub(crate) fn case(kind: Kind, size: (usize, usize, usize), seed: u64) -> Case {
         objectives.push(objective.iter().map(|c| -c).collect());
         objectives.push(objective);
     }
-    Case { kind, problem, objectives }
+    Case {
+        kind,
+        problem,
+        objectives,
+    }
 }
 
 fn dot(a: &[f64], x: &[f64]) -> f64 {
@@ -105,9 +115,19 @@ fn rows(kind: Kind, n: usize, m: usize, random: &mut Random) -> Rows {
     let inner: Vec<f64> = (0..n).map(|_| 0.8 * random.symmetric()).collect();
     let corner: Vec<f64> = (0..n).map(|_| random.sign()).collect();
     let lattice: Vec<f64> = (0..n).map(|_| random.below(3) as f64 - 1.0).collect();
-    let mut entries: Vec<Vec<f64>> = (0..m).map(|_| (0..n).map(|_| random.normal()).collect()).collect();
+    let mut entries: Vec<Vec<f64>> = (0..m)
+        .map(|_| (0..n).map(|_| random.normal()).collect())
+        .collect();
     let mut through = inner;
-    let mut width: Vec<f64> = (0..m).map(|_| if random.below(2) == 0 { 0.0 } else { random.unit() }).collect();
+    let mut width: Vec<f64> = (0..m)
+        .map(|_| {
+            if random.below(2) == 0 {
+                0.0
+            } else {
+                random.unit()
+            }
+        })
+        .collect();
     match kind {
         Kind::Regular => {}
         Kind::Chain => {
@@ -125,14 +145,20 @@ fn rows(kind: Kind, n: usize, m: usize, random: &mut Random) -> Rows {
         Kind::DuplicateGenerators => {
             for row in &mut entries {
                 for j in n / 2..n {
-                    row[j] = if j % 3 == 0 { -row[j - n / 2] } else { row[j - n / 2] };
+                    row[j] = if j % 3 == 0 {
+                        -row[j - n / 2]
+                    } else {
+                        row[j - n / 2]
+                    };
                 }
             }
         }
         Kind::RedundantRows => {
             for i in m.div_ceil(2)..m {
                 let (a, b) = (random.below(m / 2), random.below(m / 2));
-                entries[i] = (0..n).map(|j| entries[a][j] + 0.5 * entries[b][j]).collect();
+                entries[i] = (0..n)
+                    .map(|j| entries[a][j] + 0.5 * entries[b][j])
+                    .collect();
                 width[i] = 0.0;
                 if random.below(2) == 0 {
                     entries[i] = entries[a].clone();
@@ -161,7 +187,11 @@ fn rows(kind: Kind, n: usize, m: usize, random: &mut Random) -> Rows {
         Kind::Flat => {
             // The first row pins half of the variables.
             for (j, a) in entries[0].iter_mut().enumerate() {
-                *a = if j < n / 2 { corner[j] * (a.abs() + 0.01) } else { 0.0 };
+                *a = if j < n / 2 {
+                    corner[j] * (a.abs() + 0.01)
+                } else {
+                    0.0
+                };
             }
             through[..n / 2].copy_from_slice(&corner[..n / 2]);
             width[0] = 0.0;
@@ -205,13 +235,22 @@ fn rows(kind: Kind, n: usize, m: usize, random: &mut Random) -> Rows {
         let i = random.below(m);
         let reach: f64 = entries[i].iter().map(|a| a.abs()).sum();
         let bound = reach * (1.0 + miss);
-        ranges[i] = if random.below(2) == 0 { (bound, bound * 2.0) } else { (-bound * 2.0, -bound) };
+        ranges[i] = if random.below(2) == 0 {
+            (bound, bound * 2.0)
+        } else {
+            (-bound * 2.0, -bound)
+        };
     }
     if kind == Kind::EmptyByContradiction {
         // The last row is a combination of two others (of one, if there are only two rows), but wants another value.
         let (a, b) = (0, if m > 2 { 1 } else { 0 });
-        entries[m - 1] = (0..n).map(|j| entries[a][j] - 0.75 * entries[b][j]).collect();
-        let reach: f64 = entries.iter().map(|row| row.iter().map(|v| v.abs()).sum::<f64>()).sum();
+        entries[m - 1] = (0..n)
+            .map(|j| entries[a][j] - 0.75 * entries[b][j])
+            .collect();
+        let reach: f64 = entries
+            .iter()
+            .map(|row| row.iter().map(|v| v.abs()).sum::<f64>())
+            .sum();
         let highest = ranges[a].1 - 0.75 * ranges[b].0;
         ranges[m - 1] = (highest + 4.0 * miss * reach, f64::INFINITY);
     }

@@ -10,7 +10,10 @@ pub(crate) fn rational(value: f64) -> BigRational {
 
 /// `a'x` exactly.
 pub(crate) fn dot(a: &[f64], x: &[f64]) -> BigRational {
-    a.iter().zip(x).map(|(&a, &x)| rational(a) * rational(x)).sum()
+    a.iter()
+        .zip(x)
+        .map(|(&a, &x)| rational(a) * rational(x))
+        .sum()
 }
 
 /// Exchange tableau `x_B = T x_N` over the rationals.
@@ -30,17 +33,34 @@ impl Exact {
         let mut t = Vec::new();
         for i in 0..m {
             let row: Vec<BigRational> = problem.row(i).iter().map(|&a| rational(a)).collect();
-            let reach: BigRational = row.iter().map(|a| a.abs()).sum::<BigRational>() + rational(1.0);
+            let reach: BigRational =
+                row.iter().map(|a| a.abs()).sum::<BigRational>() + rational(1.0);
             let (lower, upper) = problem.range(i);
             // An infinite end is replaced by one the box cannot reach.
             let far = |end: f64, near: f64| {
-                let near = if near.is_finite() { rational(near).abs() } else { BigRational::zero() };
-                if end.is_finite() { rational(end) } else if end > 0.0 { &reach + near } else { -(&reach + near) }
+                let near = if near.is_finite() {
+                    rational(near).abs()
+                } else {
+                    BigRational::zero()
+                };
+                if end.is_finite() {
+                    rational(end)
+                } else if end > 0.0 {
+                    &reach + near
+                } else {
+                    -(&reach + near)
+                }
             };
             bounds.push((far(lower, upper), far(upper, lower)));
             t.push(row);
         }
-        Self { n, t, basic: (n..n + m).collect(), nonbasic: (0..n).collect(), bounds }
+        Self {
+            n,
+            t,
+            basic: (n..n + m).collect(),
+            nonbasic: (0..n).collect(),
+            bounds,
+        }
     }
 
     /// The maximum of `c'x`, or `None` if the set is empty. Starts from the basis of the last call.
@@ -48,27 +68,49 @@ impl Exact {
         let c: Vec<BigRational> = objective.iter().map(|&c| rational(c)).collect();
         let mut d: Vec<BigRational> = (0..self.n)
             .map(|j| {
-                let own = c.get(self.nonbasic[j]).cloned().unwrap_or_else(BigRational::zero);
-                self.basic.iter().zip(&self.t).filter(|(b, _)| **b < self.n).fold(own, |s, (&b, row)| s + &c[b] * &row[j])
+                let own = c
+                    .get(self.nonbasic[j])
+                    .cloned()
+                    .unwrap_or_else(BigRational::zero);
+                self.basic
+                    .iter()
+                    .zip(&self.t)
+                    .filter(|(b, _)| **b < self.n)
+                    .fold(own, |s, (&b, row)| s + &c[b] * &row[j])
             })
             .collect();
         let mut x: Vec<BigRational> = (0..self.n)
             .map(|j| {
                 let (lower, upper) = &self.bounds[self.nonbasic[j]];
-                if d[j].is_negative() { lower.clone() } else { upper.clone() }
+                if d[j].is_negative() {
+                    lower.clone()
+                } else {
+                    upper.clone()
+                }
             })
             .collect();
         for pivot in 0_usize.. {
             // The most violated basic variable leaves; after many pivots that of the lowest index (Bland: no cycles).
             let mut leaving: Option<(usize, f64, bool)> = None;
             for (r, row) in self.t.iter().enumerate() {
-                let value: BigRational = row.iter().zip(&x).filter(|(t, _)| !t.is_zero()).map(|(t, x)| t * x).sum();
+                let value: BigRational = row
+                    .iter()
+                    .zip(&x)
+                    .filter(|(t, _)| !t.is_zero())
+                    .map(|(t, x)| t * x)
+                    .sum();
                 let (lower, upper) = &self.bounds[self.basic[r]];
                 let above = value > *upper;
                 if above || value < *lower {
-                    let miss = if above { value - upper } else { lower - value }.to_f64().unwrap_or(f64::MAX);
+                    let miss = if above { value - upper } else { lower - value }
+                        .to_f64()
+                        .unwrap_or(f64::MAX);
                     let better = leaving.is_none_or(|(l, most, _)| {
-                        if pivot < 200 { miss > most } else { self.basic[r] < self.basic[l] }
+                        if pivot < 200 {
+                            miss > most
+                        } else {
+                            self.basic[r] < self.basic[l]
+                        }
                     });
                     if better {
                         leaving = Some((r, miss, above));
@@ -134,7 +176,11 @@ impl Exact {
 }
 
 /// `B(y) = sum max(y lower, y upper) + |c - A'y|_1` exactly; one-sided rows count as clipped to `|A_i|_1`.
-pub(crate) fn weak_duality(problem: &Problem, objective: &[f64], multipliers: &[Multiplier]) -> BigRational {
+pub(crate) fn weak_duality(
+    problem: &Problem,
+    objective: &[f64],
+    multipliers: &[Multiplier],
+) -> BigRational {
     let mut residual: Vec<BigRational> = objective.iter().map(|&c| rational(c)).collect();
     let mut bound = BigRational::zero();
     for &(i, y) in multipliers {

@@ -20,19 +20,39 @@ fn bounds_hold_exactly() {
                 let mut solver = Solver::new(case.problem.clone());
                 for c in &case.objectives {
                     let solution = solver.maximize(c).unwrap();
-                    assert_ne!(solution.status, Status::Empty, "{kind:?} {size:?} seed {seed}");
+                    assert_ne!(
+                        solution.status,
+                        Status::Empty,
+                        "{kind:?} {size:?} seed {seed}"
+                    );
                     lps += 1;
-                    let Some(optimum) = exact.maximize(c) else { continue };
+                    let Some(optimum) = exact.maximize(c) else {
+                        continue;
+                    };
                     let norm: f64 = c.iter().map(|c| c.abs()).sum();
-                    assert!(rational(solution.bound) >= optimum, "{kind:?} {size:?} seed {seed}: bound below the optimum");
-                    let above = (rational(solution.bound) - &optimum).to_f64().unwrap() / (1.0 + norm);
-                    let off = (rational(solution.value) - &optimum).abs().to_f64().unwrap() / (1.0 + norm);
+                    assert!(
+                        rational(solution.bound) >= optimum,
+                        "{kind:?} {size:?} seed {seed}: bound below the optimum"
+                    );
+                    let above =
+                        (rational(solution.bound) - &optimum).to_f64().unwrap() / (1.0 + norm);
+                    let off = (rational(solution.value) - &optimum)
+                        .abs()
+                        .to_f64()
+                        .unwrap()
+                        / (1.0 + norm);
                     if kind.is_regular() {
                         excess = excess.max(above);
-                        assert!(above <= 1e-11 && off <= 1e-11, "{kind:?} {size:?} seed {seed}: {above:e} {off:e}");
+                        assert!(
+                            above <= 1e-11 && off <= 1e-11,
+                            "{kind:?} {size:?} seed {seed}: {above:e} {off:e}"
+                        );
                     } else if kind != Kind::RedundantRows {
                         // (Rows that are dependent but for the rounding of their entries cut the set exactly, not usefully.)
-                        assert!(above <= 1e-8 && off <= 1e-8, "{kind:?} {size:?} seed {seed}: {above:e} {off:e}");
+                        assert!(
+                            above <= 1e-8 && off <= 1e-8,
+                            "{kind:?} {size:?} seed {seed}: {above:e} {off:e}"
+                        );
                     }
                 }
             }
@@ -52,7 +72,9 @@ fn tall_bounds_hold_exactly() {
         for c in &case.objectives {
             let optimum = exact.maximize(c).expect("built around a point");
             let bound = solver.maximize(c).unwrap().bound;
-            assert!(rational(bound) >= optimum && (rational(bound) - optimum).to_f64().unwrap() < 1e-11);
+            assert!(
+                rational(bound) >= optimum && (rational(bound) - optimum).to_f64().unwrap() < 1e-11
+            );
         }
     }
 }
@@ -65,12 +87,19 @@ fn random_multipliers_give_valid_bounds() {
         let case = case(KINDS[seed as usize % 9], (3, 6, 3), seed);
         let mut exact = Exact::new(&case.problem);
         for c in &case.objectives {
-            let Some(optimum) = exact.maximize(c) else { continue };
+            let Some(optimum) = exact.maximize(c) else {
+                continue;
+            };
             for _ in 0..20 {
                 let scale = random.scale(-300.0, 300.0);
-                let y: Vec<(usize, f64)> = (0..random.below(6)).map(|_| (random.below(3), scale * random.normal())).collect();
+                let y: Vec<(usize, f64)> = (0..random.below(6))
+                    .map(|_| (random.below(3), scale * random.normal()))
+                    .collect();
                 let bound = case.problem.upper_bound(c, &y).unwrap();
-                assert!(bound.is_finite() && rational(bound) >= optimum, "seed {seed}, y {y:?}");
+                assert!(
+                    bound.is_finite() && rational(bound) >= optimum,
+                    "seed {seed}, y {y:?}"
+                );
             }
         }
     }
@@ -87,20 +116,29 @@ fn entry() -> impl Strategy<Value = f64> {
 
 fn problem() -> impl Strategy<Value = (Problem, Vec<Vec<f64>>)> {
     (1..6_usize, 0..5_usize).prop_flat_map(|(n, m)| {
-        let row = (prop::collection::vec(entry(), n), entry(), prop_oneof![Just(0.0), 0.0..3.0_f64], 0..4_u8);
+        let row = (
+            prop::collection::vec(entry(), n),
+            entry(),
+            prop_oneof![Just(0.0), 0.0..3.0_f64],
+            0..4_u8,
+        );
         let objective = prop::collection::vec(entry(), n);
-        (prop::collection::vec(row, m), prop::collection::vec(objective, 1..4)).prop_map(move |(rows, objectives)| {
-            let mut problem = Problem::new(n).unwrap();
-            for (row, lower, width, form) in rows {
-                let (lower, upper) = match form {
-                    0 => (f64::NEG_INFINITY, lower),
-                    1 => (lower, f64::INFINITY),
-                    _ => (lower, lower + width),
-                };
-                problem.push_row(&row, lower, upper).unwrap();
-            }
-            (problem, objectives)
-        })
+        (
+            prop::collection::vec(row, m),
+            prop::collection::vec(objective, 1..4),
+        )
+            .prop_map(move |(rows, objectives)| {
+                let mut problem = Problem::new(n).unwrap();
+                for (row, lower, width, form) in rows {
+                    let (lower, upper) = match form {
+                        0 => (f64::NEG_INFINITY, lower),
+                        1 => (lower, f64::INFINITY),
+                        _ => (lower, lower + width),
+                    };
+                    problem.push_row(&row, lower, upper).unwrap();
+                }
+                (problem, objectives)
+            })
     })
 }
 

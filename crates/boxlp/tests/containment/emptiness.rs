@@ -12,9 +12,18 @@ fn check(problem: &Problem, label: &str) -> (bool, bool) {
     let mut solver = Solver::new(problem.clone());
     match solver.emptiness() {
         Emptiness::Empty(certificate) => {
-            assert!(certificate.verify(problem), "{label}: the certificate does not verify");
-            assert!(weak_duality(problem, &zeros, certificate.multipliers()).is_negative(), "{label}: false certificate");
-            assert!(Exact::new(problem).maximize(&zeros).is_none(), "{label}: called empty");
+            assert!(
+                certificate.verify(problem),
+                "{label}: the certificate does not verify"
+            );
+            assert!(
+                weak_duality(problem, &zeros, certificate.multipliers()).is_negative(),
+                "{label}: false certificate"
+            );
+            assert!(
+                Exact::new(problem).maximize(&zeros).is_none(),
+                "{label}: called empty"
+            );
             (true, false)
         }
         Emptiness::NonEmpty(witness) => {
@@ -24,8 +33,14 @@ fn check(problem: &Problem, label: &str) -> (bool, bool) {
                 for i in 0..problem.rows() {
                     let (lower, upper) = problem.range(i);
                     let activity = dot(problem.row(i), x);
-                    assert!(lower.is_infinite() || activity >= rational(lower), "{label}: witness below row {i}");
-                    assert!(upper.is_infinite() || activity <= rational(upper), "{label}: witness above row {i}");
+                    assert!(
+                        lower.is_infinite() || activity >= rational(lower),
+                        "{label}: witness below row {i}"
+                    );
+                    assert!(
+                        upper.is_infinite() || activity <= rational(upper),
+                        "{label}: witness above row {i}"
+                    );
                 }
             } else {
                 // The set, cut to the ball, still has a point.
@@ -34,9 +49,13 @@ fn check(problem: &Problem, label: &str) -> (bool, bool) {
                 for j in 0..problem.variables() {
                     let mut row = zeros.clone();
                     row[j] = 1.0;
-                    ball.push_row(&row, (x[j] - radius).next_down(), (x[j] + radius).next_up()).unwrap();
+                    ball.push_row(&row, (x[j] - radius).next_down(), (x[j] + radius).next_up())
+                        .unwrap();
                 }
-                assert!(Exact::new(&ball).maximize(&zeros).is_some(), "{label}: no point in the ball of the witness");
+                assert!(
+                    Exact::new(&ball).maximize(&zeros).is_some(),
+                    "{label}: no point in the ball of the witness"
+                );
             }
             (false, true)
         }
@@ -60,7 +79,10 @@ fn claims_on_the_corpus_are_true() {
             }
         }
     }
-    println!("undecided {}, empty {}, non-empty {}", counts[0], counts[1], counts[2]);
+    println!(
+        "undecided {}, empty {}, non-empty {}",
+        counts[0], counts[1], counts[2]
+    );
 }
 
 /// A support row moved just outside or just inside: right at every miss above 1e-9, never wrong below.
@@ -100,7 +122,9 @@ fn verify_rejects_what_is_no_proof() {
     empty.push_row(&[1.0, 1.0], 2.5, 3.0).unwrap();
     let mut solver = Solver::new(empty.clone());
     assert_eq!(solver.maximize(&[1.0, 0.0]).unwrap().status, Status::Empty);
-    let Emptiness::Empty(certificate) = solver.emptiness() else { panic!("a row beyond the box") };
+    let Emptiness::Empty(certificate) = solver.emptiness() else {
+        panic!("a row beyond the box")
+    };
     assert!(certificate.verify(&empty));
     assert!((certificate.miss(&empty) - 0.25).abs() < 1e-12);
     let mut touching = Problem::new(2).unwrap();

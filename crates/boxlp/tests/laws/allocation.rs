@@ -6,7 +6,11 @@ use boxlp::Solver;
 #[test]
 fn a_warm_solver_allocates_nothing() {
     for kind in KINDS {
-        for &size in if kind.is_tall() { &SIZES[..1] } else { &SIZES[..3] } {
+        for &size in if kind.is_tall() {
+            &SIZES[..1]
+        } else {
+            &SIZES[..3]
+        } {
             let cases: Vec<_> = (0..3).map(|seed| case(kind, size, seed)).collect();
             let mut solver = Solver::new(cases[0].problem.clone());
             let mut run = || {

@@ -13,8 +13,18 @@ fn assert_alike(warm: &mut Solver, problem: &Problem, objectives: &[Vec<f64>], l
         let scale = 1.0 + c.iter().map(|c| c.abs()).sum::<f64>();
         assert_eq!(a.status, b.status, "{label}");
         if a.status != Status::Empty {
-            assert!((a.value - b.value).abs() <= 1e-9 * scale, "{label}: {} {}", a.value, b.value);
-            assert!((a.bound - b.bound).abs() <= 1e-9 * scale, "{label}: {} {}", a.bound, b.bound);
+            assert!(
+                (a.value - b.value).abs() <= 1e-9 * scale,
+                "{label}: {} {}",
+                a.value,
+                b.value
+            );
+            assert!(
+                (a.bound - b.bound).abs() <= 1e-9 * scale,
+                "{label}: {} {}",
+                a.bound,
+                b.bound
+            );
         }
     }
 }
@@ -22,11 +32,24 @@ fn assert_alike(warm: &mut Solver, problem: &Problem, objectives: &[Vec<f64>], l
 #[test]
 fn a_warm_start_changes_nothing() {
     for kind in KINDS {
-        for &size in if kind.is_tall() { &SIZES[..1] } else { &SIZES[..3] } {
+        for &size in if kind.is_tall() {
+            &SIZES[..1]
+        } else {
+            &SIZES[..3]
+        } {
             for seed in 0..cases(4) as u64 {
-                let Case { problem, objectives, .. } = case(kind, size, seed);
+                let Case {
+                    problem,
+                    objectives,
+                    ..
+                } = case(kind, size, seed);
                 let mut warm = Solver::new(problem.clone());
-                assert_alike(&mut warm, &problem, &objectives, &format!("{kind:?} {size:?} {seed}"));
+                assert_alike(
+                    &mut warm,
+                    &problem,
+                    &objectives,
+                    &format!("{kind:?} {size:?} {seed}"),
+                );
             }
         }
     }
@@ -35,9 +58,19 @@ fn a_warm_start_changes_nothing() {
 /// A random walk over problems: rows appended and dropped, ranges moved, solves and emptiness checks between.
 #[test]
 fn edits_are_as_good_as_a_fresh_problem() {
-    for kind in [Kind::Regular, Kind::Chain, Kind::RedundantRows, Kind::Integers, Kind::Scales] {
+    for kind in [
+        Kind::Regular,
+        Kind::Chain,
+        Kind::RedundantRows,
+        Kind::Integers,
+        Kind::Scales,
+    ] {
         for seed in 0..cases(6) as u64 {
-            let Case { mut problem, objectives, .. } = case(kind, SIZES[1 + seed as usize % 2], seed);
+            let Case {
+                mut problem,
+                objectives,
+                ..
+            } = case(kind, SIZES[1 + seed as usize % 2], seed);
             let mut random = Random::new(seed + 99);
             let mut solver = Solver::new(problem.clone());
             for step in 0..40 {
@@ -77,7 +110,11 @@ fn edits_are_as_good_as_a_fresh_problem() {
 #[test]
 fn long_runs_stay_tight() {
     let mut random = Random::new(3);
-    for (kind, size, objectives) in [(Kind::Regular, SIZES[1], 4000), (Kind::Scales, SIZES[2], 2000), (Kind::Regular, SIZES[3], 60)] {
+    for (kind, size, objectives) in [
+        (Kind::Regular, SIZES[1], 4000),
+        (Kind::Scales, SIZES[2], 2000),
+        (Kind::Regular, SIZES[3], 60),
+    ] {
         let case = case(kind, size, 11);
         let mut solver = Solver::new(case.problem.clone());
         let mut pivots = 0;
@@ -86,7 +123,11 @@ fn long_runs_stay_tight() {
             let norm: f64 = c.iter().map(|c| c.abs()).sum();
             let solution = solver.maximize(&c).unwrap();
             assert_eq!(solution.status, Status::Optimal);
-            assert!(solution.gap() <= 1e-11 * norm, "{kind:?}: gap {:e} after {pivots} pivots", solution.gap() / norm);
+            assert!(
+                solution.gap() <= 1e-11 * norm,
+                "{kind:?}: gap {:e} after {pivots} pivots",
+                solution.gap() / norm
+            );
             pivots += solution.pivots;
         }
     }
@@ -96,13 +137,19 @@ fn long_runs_stay_tight() {
 #[test]
 fn rows_may_be_scaled_by_powers_of_two() {
     for seed in 0..cases(10) as u64 {
-        let Case { problem, objectives, .. } = case(Kind::Regular, SIZES[1], seed);
+        let Case {
+            problem,
+            objectives,
+            ..
+        } = case(Kind::Regular, SIZES[1], seed);
         let mut scaled = Problem::new(problem.variables()).unwrap();
         for i in 0..problem.rows() {
             let factor = 2_f64.powi(7 * i as i32 - 20);
             let row: Vec<f64> = problem.row(i).iter().map(|a| a * factor).collect();
             let (lower, upper) = problem.range(i);
-            scaled.push_row(&row, lower * factor, upper * factor).unwrap();
+            scaled
+                .push_row(&row, lower * factor, upper * factor)
+                .unwrap();
         }
         let (mut a, mut b) = (Solver::new(problem), Solver::new(scaled));
         for c in &objectives {

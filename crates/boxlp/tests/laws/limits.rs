@@ -17,9 +17,15 @@ fn a_pivot_limit_loosens_the_bound_only() {
                     solver.set_pivot_limit(Some(limit));
                     let solution = solver.maximize(c).unwrap();
                     assert!(solution.pivots <= limit);
-                    assert!(solution.bound >= optimum - 1e-9 * norm && solution.bound <= norm * (1.0 + 1e-12));
+                    assert!(
+                        solution.bound >= optimum - 1e-9 * norm
+                            && solution.bound <= norm * (1.0 + 1e-12)
+                    );
                     // Dual simplex: bounds fall monotonically.
-                    assert!(solution.bound <= last + 1e-9 * norm, "{kind:?} seed {seed} limit {limit}");
+                    assert!(
+                        solution.bound <= last + 1e-9 * norm,
+                        "{kind:?} seed {seed} limit {limit}"
+                    );
                     last = solution.bound;
                     if solution.status == Status::Optimal {
                         assert!((solution.value - optimum).abs() <= 1e-9 * norm);
@@ -33,14 +39,22 @@ fn a_pivot_limit_loosens_the_bound_only() {
 
 #[test]
 fn the_largest_intended_sizes_are_solved() {
-    for (kind, size) in [(Kind::Regular, (2, 500, 100)), (Kind::Chain, (2, 500, 100)), (Kind::RedundantRows, (1, 500, 100))] {
+    for (kind, size) in [
+        (Kind::Regular, (2, 500, 100)),
+        (Kind::Chain, (2, 500, 100)),
+        (Kind::RedundantRows, (1, 500, 100)),
+    ] {
         let case = case(kind, size, 1);
         let mut solver = Solver::new(case.problem.clone());
         for c in &case.objectives {
             let norm: f64 = c.iter().map(|c| c.abs()).sum();
             let solution = solver.maximize(c).unwrap();
             assert_eq!(solution.status, Status::Optimal);
-            assert!(solution.gap() <= 1e-11 * norm, "{kind:?}: {:e}", solution.gap() / norm);
+            assert!(
+                solution.gap() <= 1e-11 * norm,
+                "{kind:?}: {:e}",
+                solution.gap() / norm
+            );
         }
     }
 }

@@ -36,29 +36,52 @@ fn seeds(kind: Kind, size: usize) -> usize {
 }
 
 fn run(case: &Case, seed: u64, solver: &mut Solver, tally: &mut Tally) {
-    let Case { kind, problem, objectives } = case;
+    let Case {
+        kind,
+        problem,
+        objectives,
+    } = case;
     tally.sets += 1;
     solver.load(problem);
-    let clarabel = if kind.is_empty() { vec![None; objectives.len()] } else { clarabel_oracle::maximize(problem, objectives) };
+    let clarabel = if kind.is_empty() {
+        vec![None; objectives.len()]
+    } else {
+        clarabel_oracle::maximize(problem, objectives)
+    };
     for (c, clarabel) in objectives.iter().zip(clarabel) {
         let norm: f64 = c.iter().map(|c| c.abs()).sum();
         let scale = 1.0 + norm;
-        let label = format!("{kind:?} {}x{} seed {seed}", problem.variables(), problem.rows());
+        let label = format!(
+            "{kind:?} {}x{} seed {seed}",
+            problem.variables(),
+            problem.rows()
+        );
         let solution = solver.maximize(c).unwrap();
         tally.lps += 1;
         tally.pivots += solution.pivots;
-        assert_eq!(solution.status == Status::Empty, kind.is_empty(), "{label}: {:?}", solution.status);
+        assert_eq!(
+            solution.status == Status::Empty,
+            kind.is_empty(),
+            "{label}: {:?}",
+            solution.status
+        );
         if kind.is_empty() {
             continue;
         }
         tally.stopped += usize::from(solution.status != Status::Optimal);
         tally.gap = tally.gap.max(solution.gap() / scale);
         assert!(solution.point.iter().all(|x| x.abs() <= 1.0));
-        assert!(problem.upper_bound(c, solution.multipliers).unwrap() == solution.bound, "{label}: bound not reproduced");
+        assert!(
+            problem.upper_bound(c, solution.multipliers).unwrap() == solution.bound,
+            "{label}: bound not reproduced"
+        );
         match microlp_oracle::maximize(problem, c) {
             Answer::Optimum(value) => {
                 tally.microlp = tally.microlp.max((value - solution.value).abs() / scale);
-                assert!(solution.bound >= value - 1e-9 * scale, "{label}: bound below microlp's optimum");
+                assert!(
+                    solution.bound >= value - 1e-9 * scale,
+                    "{label}: bound below microlp's optimum"
+                );
             }
             Answer::Infeasible => tally.microlp_false_empty += 1,
             Answer::Failed => tally.microlp_failed += 1,
@@ -66,7 +89,10 @@ fn run(case: &Case, seed: u64, solver: &mut Solver, tally: &mut Tally) {
         match clarabel {
             Some(value) => {
                 tally.clarabel = tally.clarabel.max((value - solution.value).abs() / scale);
-                assert!(solution.bound >= value - 1e-6 * scale, "{label}: bound below Clarabel's optimum");
+                assert!(
+                    solution.bound >= value - 1e-6 * scale,
+                    "{label}: bound below Clarabel's optimum"
+                );
             }
             None => tally.clarabel_unsolved += 1,
         }
@@ -80,7 +106,10 @@ fn run(case: &Case, seed: u64, solver: &mut Solver, tally: &mut Tally) {
             assert!(!kind.is_empty());
             tally.nonempty += 1;
         }
-        Emptiness::Undecided => assert!(!kind.is_empty() && !kind.is_regular(), "{kind:?} seed {seed}: undecided"),
+        Emptiness::Undecided => assert!(
+            !kind.is_empty() && !kind.is_regular(),
+            "{kind:?} seed {seed}: undecided"
+        ),
     }
 }
 
@@ -98,19 +127,36 @@ fn the_corpus_agrees_with_two_other_solvers() {
         }
         tally.seconds = start.elapsed().as_secs_f64();
     }
-    let (sets, lps) = tallies.values().fold((0, 0), |(s, l), t| (s + t.sets, l + t.lps));
+    let (sets, lps) = tallies
+        .values()
+        .fold((0, 0), |(s, l), t| (s + t.sets, l + t.lps));
     println!("{sets} sets, {lps} LPs; errors and gaps as shares of 1 + |c|_1");
     for (kind, t) in &tallies {
         println!(
             "{kind:?}: {:.1} s, {} sets, {} LPs, {:.1} pivots an LP, {} stopped | gap {:.1e} | microlp off {:.1e}, failed {}, \
              false empty {} | Clarabel off {:.1e}, unsolved {} | proven empty {}, non-empty {}",
-            t.seconds, t.sets, t.lps, t.pivots as f64 / t.lps as f64, t.stopped, t.gap, t.microlp, t.microlp_failed,
-            t.microlp_false_empty, t.clarabel, t.clarabel_unsolved, t.empty, t.nonempty
+            t.seconds,
+            t.sets,
+            t.lps,
+            t.pivots as f64 / t.lps as f64,
+            t.stopped,
+            t.gap,
+            t.microlp,
+            t.microlp_failed,
+            t.microlp_false_empty,
+            t.clarabel,
+            t.clarabel_unsolved,
+            t.empty,
+            t.nonempty
         );
         assert_eq!(t.stopped, 0, "{kind:?}");
         assert!(t.microlp <= 1e-9, "{kind:?}: microlp {:e}", t.microlp);
         assert!(t.clarabel <= 1e-6, "{kind:?}: Clarabel {:e}", t.clarabel);
-        assert!(t.gap <= if kind.is_regular() { 1e-11 } else { 1e-8 }, "{kind:?}: gap {:e}", t.gap);
+        assert!(
+            t.gap <= if kind.is_regular() { 1e-11 } else { 1e-8 },
+            "{kind:?}: gap {:e}",
+            t.gap
+        );
     }
     assert!(sets >= 1300 && lps >= 12_000);
 }

@@ -2,7 +2,9 @@
 
 use boxlp::Problem;
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+use clarabel::solver::{
+    DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+};
 
 /// The maxima of the objectives; `None` where the status is not `Solved`.
 pub(crate) fn maximize(problem: &Problem, objectives: &[Vec<f64>]) -> Vec<Option<f64>> {
@@ -28,7 +30,10 @@ pub(crate) fn maximize(problem: &Problem, objectives: &[Vec<f64>]) -> Vec<Option
             below.push((row, 1.0));
         }
     }
-    let cones = [SupportedConeT::ZeroConeT(equal.len()), SupportedConeT::NonnegativeConeT(below.len())];
+    let cones = [
+        SupportedConeT::ZeroConeT(equal.len()),
+        SupportedConeT::NonnegativeConeT(below.len()),
+    ];
     let rows: Vec<(Vec<f64>, f64)> = equal.into_iter().chain(below).collect();
     let (mut is, mut js, mut values) = (Vec::new(), Vec::new(), Vec::new());
     for (i, (row, _)) in rows.iter().enumerate() {
@@ -40,10 +45,15 @@ pub(crate) fn maximize(problem: &Problem, objectives: &[Vec<f64>]) -> Vec<Option
     }
     let a = CscMatrix::new_from_triplets(rows.len(), n, is, js, values);
     let b: Vec<f64> = rows.iter().map(|r| r.1).collect();
-    let settings = DefaultSettingsBuilder::default().verbose(false).presolve_enable(false).build().unwrap();
+    let settings = DefaultSettingsBuilder::default()
+        .verbose(false)
+        .presolve_enable(false)
+        .build()
+        .unwrap();
     let negated = |c: &[f64]| c.iter().map(|c| -c).collect::<Vec<f64>>();
     let p = CscMatrix::zeros((n, n));
-    let mut solver = DefaultSolver::new(&p, &negated(&objectives[0]), &a, &b, &cones, settings).unwrap();
+    let mut solver =
+        DefaultSolver::new(&p, &negated(&objectives[0]), &a, &b, &cones, settings).unwrap();
     let solve = |c: &Vec<f64>| {
         solver.update_q(&negated(c)).unwrap();
         solver.solve();

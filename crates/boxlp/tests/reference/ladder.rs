@@ -22,7 +22,9 @@ fn no_empty_set_is_missed_and_none_is_invented() {
                 for exponent in [-3, -6, -8, -9, -10, -12] {
                     for sign in [1.0, -1.0] {
                         let mut problem = case.problem.clone();
-                        problem.push_row(c, top + sign * norm * 10_f64.powi(exponent), f64::INFINITY).unwrap();
+                        problem
+                            .push_row(c, top + sign * norm * 10_f64.powi(exponent), f64::INFINITY)
+                            .unwrap();
                         let mut solver = Solver::new(problem.clone());
                         let answer = solver.emptiness();
                         steps += 1;
@@ -34,12 +36,17 @@ fn no_empty_set_is_missed_and_none_is_invented() {
                             nearest = nearest.min(certificate.miss(&problem));
                         } else if sign > 0.0 {
                             let miss = microlp_oracle::miss(&problem);
-                            assert!(!matches!(miss, Answer::Optimum(t) if t > 1.1e-9), "{label}: missed, {miss:?}");
+                            assert!(
+                                !matches!(miss, Answer::Optimum(t) if t > 1.1e-9),
+                                "{label}: missed, {miss:?}"
+                            );
                         }
                     }
                 }
             }
         }
     }
-    println!("{steps} sets, {empty} proven empty, the nearest by a miss of {nearest:.1e} of the 1-norms");
+    println!(
+        "{steps} sets, {empty} proven empty, the nearest by a miss of {nearest:.1e} of the 1-norms"
+    );
 }

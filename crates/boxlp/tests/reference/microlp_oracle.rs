@@ -35,7 +35,9 @@ fn add_rows(lp: &mut microlp::Problem, problem: &Problem, x: &[Variable], slack:
 
 fn answer(lp: &microlp::Problem) -> Answer {
     match lp.solve() {
-        Ok(outcome) => outcome.into_solution().map_or(Answer::Failed, |s| Answer::Optimum(s.objective())),
+        Ok(outcome) => outcome
+            .into_solution()
+            .map_or(Answer::Failed, |s| Answer::Optimum(s.objective())),
         Err(microlp::Error::Infeasible) => Answer::Infeasible,
         Err(_) => Answer::Failed,
     }
@@ -44,7 +46,10 @@ fn answer(lp: &microlp::Problem) -> Answer {
 /// `max c'x` over the set.
 pub(crate) fn maximize(problem: &Problem, objective: &[f64]) -> Answer {
     let mut lp = microlp::Problem::new(OptimizationDirection::Maximize);
-    let x: Vec<Variable> = objective.iter().map(|&c| lp.add_var(c, (-1.0, 1.0))).collect();
+    let x: Vec<Variable> = objective
+        .iter()
+        .map(|&c| lp.add_var(c, (-1.0, 1.0)))
+        .collect();
     add_rows(&mut lp, problem, &x, None);
     answer(&lp)
 }
@@ -52,7 +57,9 @@ pub(crate) fn maximize(problem: &Problem, objective: &[f64]) -> Answer {
 /// `min t` such that every row holds up to `t` of its 1-norm: how far the set is from having a point.
 pub(crate) fn miss(problem: &Problem) -> Answer {
     let mut lp = microlp::Problem::new(OptimizationDirection::Minimize);
-    let x: Vec<Variable> = (0..problem.variables()).map(|_| lp.add_var(0.0, (-1.0, 1.0))).collect();
+    let x: Vec<Variable> = (0..problem.variables())
+        .map(|_| lp.add_var(0.0, (-1.0, 1.0)))
+        .collect();
     let t = lp.add_var(1.0, (0.0, f64::INFINITY));
     add_rows(&mut lp, problem, &x, Some(t));
     answer(&lp)
