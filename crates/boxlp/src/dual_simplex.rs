@@ -163,15 +163,15 @@ impl Workspace {
             match (v as usize).checked_sub(n) {
                 None => self.point[v as usize] = value,
                 Some(i) if cost != 0.0 => {
-                    self.multipliers.push((i, cost * problem.ranges()[i].scale))
+                    self.multipliers.push((i, cost * problem.ranges()[i].scale));
                 }
                 Some(_) => {}
             }
         }
         for (&v, &value) in tableau.rows.variable.iter().zip(&tableau.rows.value) {
             if (v as usize) < n {
-                // A NaN becomes -1: the point is always in the box.
-                self.point[v as usize] = value.max(-1.0).min(1.0);
+                // The point is always in the box, and never NaN.
+                self.point[v as usize] = if value.is_nan() { 0.0 } else { value.clamp(-1.0, 1.0) };
             }
         }
     }
