@@ -5,7 +5,8 @@
 //! The column at which it falls to zero enters; those before it flip. Source: Maros, *A generalized dual phase-2 simplex
 //! algorithm*, 2003.
 
-use crate::tableau::{Columns, Flip, Violation};
+use crate::tableau::basis::Columns;
+use crate::tableau::{Flip, Violation};
 
 /// A column enters with an entry below this share of the row's largest only if there is no other.
 const SMALL_PIVOT: f64 = 1e-7;
@@ -66,7 +67,11 @@ impl RatioTest {
         }
         // The last one enters.
         let Some(last) = passed.checked_sub(1) else {
-            return Entering { column: None, rest, stable: false };
+            return Entering {
+                column: None,
+                rest,
+                stable: false,
+            };
         };
         let mut entering = last;
         let mut stable = candidates[last].entry >= SURE_PIVOT;
@@ -86,9 +91,16 @@ impl RatioTest {
         }
         for c in &candidates[..entering] {
             let j = c.column as usize;
-            self.flips.push((c.column, columns.side[j] * (columns.lower[j] - columns.upper[j])));
+            self.flips.push((
+                c.column,
+                columns.side[j] * (columns.lower[j] - columns.upper[j]),
+            ));
         }
-        Entering { column: Some(candidates[entering].column as usize), rest, stable }
+        Entering {
+            column: Some(candidates[entering].column as usize),
+            rest,
+            stable,
+        }
     }
 
     /// Lists the columns that can repair the row; returns their number.
