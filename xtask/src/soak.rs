@@ -14,20 +14,29 @@ pub(crate) struct Arguments {
     packages: Vec<String>,
 }
 
-/// Packages with a `containment` test binary.
-const PACKAGES: [&str; 5] = ["scalars", "lie-groups", "setrep", "estimators", "scenarios"];
+/// Packages with containment batteries, and the test binaries that hold them.
+const PACKAGES: [(&str, &[&str]); 6] = [
+    ("scalars", &["containment"]),
+    ("boxlp", &["containment"]),
+    ("lie-groups", &["containment"]),
+    ("setrep", &["containment", "polytope"]),
+    ("estimators", &["containment"]),
+    ("scenarios", &["containment"]),
+];
 
-/// Runs the `containment` batteries with `ORBITOPE_CASES` set.
+/// Runs the containment batteries with `ORBITOPE_CASES` set.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
-    let known = PACKAGES.map(String::from);
-    let packages: &[String] = if arguments.packages.is_empty() { &known } else { &arguments.packages };
-    for package in packages {
-        if !known.contains(package) {
-            return Err(format!("{package} has no containment battery; there are: {}", PACKAGES.join(", ")));
+    if let Some(unknown) = arguments.packages.iter().find(|name| PACKAGES.iter().all(|(known, _)| known != name)) {
+        let known = PACKAGES.map(|(name, _)| name).join(", ");
+        return Err(format!("{unknown} has no containment battery; there are: {known}"));
+    }
+    let chosen = |name: &str| arguments.packages.is_empty() || arguments.packages.iter().any(|package| package == name);
+    for (package, batteries) in PACKAGES.into_iter().filter(|(name, _)| chosen(name)) {
+        let mut command = cargo(&["test", "--release", "--package", package]);
+        for battery in batteries {
+            command.args(["--test", battery]);
         }
-        let mut command =
-            cargo(&["test", "--release", "--package", package, "--test", "containment", "--", "--nocapture"]);
-        command.env("ORBITOPE_CASES", arguments.factor.to_string());
+        command.args(["--", "--nocapture"]).env("ORBITOPE_CASES", arguments.factor.to_string());
         succeed(&mut command, &format!("soak of {package}, {} times the cases", arguments.factor))?;
     }
     Ok(())

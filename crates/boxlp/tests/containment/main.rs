@@ -1,0 +1,8 @@
+//! Bounds, certificates and witnesses against exact rational arithmetic.
+#![allow(clippy::unwrap_used, reason = "a failing unwrap is a failing test")]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod bounds;
+mod emptiness;
