@@ -1,0 +1,128 @@
+//! Outward rounding: the few bounds on floating-point errors that the proofs of this crate rest on.
+//!
+//! Arithmetic rounds to nearest, so the exact result of one operation lies within one step of the computed one; no
+//! rounding mode is ever changed. Sources: Rump, *Error estimation of floating-point summation and dot product*, 2012;
+//! Ogita, Rump, Oishi, *Accurate sum and dot product*, 2005.
+
+/// Unit roundoff `u = 2^-53`.
+const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// Far above the sum of all underflow errors of `2^48` products (each at most `2^-1075`).
+pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;
+
+/// Products above this are normal numbers, and so are their rounding errors.
+const TINY_PRODUCT: f64 = 1e-280;
+
+/// Upper bound of the relative error `gamma_k = k u / (1 - k u)` of `k` roundings, for `k <= 2^25`.
+///
+/// It is `(k + 2) u`: the surplus `2 u` covers the denominator, and the `k` roundings (and the few of the evaluation
+/// itself) of a sum of moduli by which the factor is multiplied afterwards.
+pub(crate) fn gamma_up(k: usize) -> f64 {
+    (k + 3) as f64 * UNIT
+}
+
+/// Upper bound of the exact `a + b`.
+pub(crate) fn add_up(a: f64, b: f64) -> f64 {
+    (a + b).next_up()
+}
+
+/// Lower bound of the exact `a + b`.
+pub(crate) fn add_down(a: f64, b: f64) -> f64 {
+    (a + b).next_down()
+}
+
+/// Upper bound of the exact `a b`; an exact zero stays zero.
+pub(crate) fn mul_up(a: f64, b: f64) -> f64 {
+    if a == 0.0 || b == 0.0 {
+        0.0
+    } else {
+        (a * b).next_up()
+    }
+}
+
+/// Lower bound of the exact `a b`; an exact zero stays zero.
+pub(crate) fn mul_down(a: f64, b: f64) -> f64 {
+    -mul_up(-a, b)
+}
+
+/// Upper bound of the exact sum of the moduli, `sum |a_j|`.
+pub(crate) fn norm1_up(a: &[f64]) -> f64 {
+    let sum: f64 = a.iter().map(|v| v.abs()).sum();
+    // All partial sums are moduli: the exact sum is at most (1 + gamma) times the computed one. Sums never underflow.
+    if sum == 0.0 {
+        0.0
+    } else {
+        (sum * (1.0 + gamma_up(a.len()))).next_up()
+    }
+}
+
+/// Interval that contains the exact `sum a_j x_j`; a point if no operation rounds.
+///
+/// Compensated summation: the error of every operation is itself a number, so only the sum of the errors is rounded.
+pub(crate) fn dot_enclosure(a: &[f64], x: &[f64]) -> (f64, f64) {
+    let (mut sum, mut correction, mut moduli) = (0.0, 0.0, 0.0_f64);
+    let mut tiny = false;
+    for (&a, &x) in a.iter().zip(x) {
+        let product = a * x;
+        let product_error = a.mul_add(x, -product);
+        let next = sum + product;
+        let part = next - sum;
+        let sum_error = (sum - (next - part)) + (product - part);
+        sum = next;
+        correction += product_error + sum_error;
+        moduli += product_error.abs() + sum_error.abs();
+        tiny |= product.abs() < TINY_PRODUCT && a != 0.0 && x != 0.0;
+    }
+    if moduli == 0.0 && !tiny {
+        return (sum, sum);
+    }
+    let error = (gamma_up(2 * a.len()) * moduli + if tiny { UNDERFLOW } else { 0.0 }).next_up();
+    (
+        add_down(add_down(sum, correction), -error),
+        add_up(add_up(sum, correction), error),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gamma_exceeds_the_exact_constant() {
+        for k in [0_usize, 1, 10, 1 << 10, 1 << 25] {
+            let ku = k as f64 * UNIT;
+            assert!(gamma_up(k) > ku / (1.0 - ku) * (1.0 + ku) * (1.0 + 4.0 * UNIT));
+        }
+    }
+
+    #[test]
+    fn products_and_sums_step_outward() {
+        assert!(mul_up(0.1, 0.1) > 0.1 * 0.1 && mul_down(0.1, 0.1) < 0.1 * 0.1);
+        assert_eq!((mul_up(0.0, 3.0), mul_down(-0.0, 3.0)), (0.0, 0.0));
+        assert!(mul_up(f64::MIN_POSITIVE, f64::MIN_POSITIVE) > 0.0);
+        assert!(mul_down(-f64::MIN_POSITIVE, f64::MIN_POSITIVE) < 0.0);
+        assert!(add_up(1.0, 1e-30) > 1.0 && add_down(1.0, -1e-30) < 1.0);
+        assert!(norm1_up(&[0.1, -0.2, 0.3]) > 0.6);
+    }
+
+    #[test]
+    fn an_exact_sum_is_a_point() {
+        assert_eq!(
+            dot_enclosure(&[3.0, -2.0, 0.5], &[1.0, 1.0, -1.0]),
+            (0.5, 0.5)
+        );
+        assert_eq!(dot_enclosure(&[], &[]), (0.0, 0.0));
+    }
+
+    #[test]
+    fn a_rounded_sum_is_enclosed_within_a_few_steps() {
+        // 0.1 + 0.2 is not a number: the exact sum of the two lies strictly inside.
+        let (lower, upper) = dot_enclosure(&[0.1, 0.2], &[1.0, 1.0]);
+        assert!(lower < 0.3 && 0.3 < upper.next_up() && upper - lower < 1e-15);
+        let (lower, upper) = dot_enclosure(&[1.0, 1e-200], &[1.0, 1e-200]);
+        assert!(lower <= 1.0 && 1.0 < upper);
+        // Cancellation: the exact value is 2^-60.
+        let (lower, upper) = dot_enclosure(&[1.0, f64::EPSILON / 256.0, -1.0], &[1.0, 1.0, 1.0]);
+        assert!(lower <= f64::EPSILON / 256.0 && f64::EPSILON / 256.0 <= upper && upper < 1e-17);
+    }
+}
