@@ -1,4 +1,4 @@
-//! Sets that enclose: zonotopes and their operations, rounding included.
+//! Sets that enclose: zonotopes, constrained zonotopes and their operations, rounding included.
 //!
 //! The centre of the crate is [`Zonotope`], the set `<c, G, r> = { c + G xi + e : |xi| <= 1, |e| <= r }` of a center, generators
 //! and a **box remainder**. Every operation on it returns a superset of the exact real-arithmetic result for its `f64` inputs:
@@ -26,6 +26,7 @@
 //! ```
 
 mod bounds;
+mod constrained_zonotope;
 mod error;
 mod interval_matrix;
 mod interval_vector;
@@ -37,6 +38,7 @@ mod wedge;
 mod workspace;
 mod zonotope;
 
+pub use constrained_zonotope::ConstrainedZonotope;
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;

@@ -20,6 +20,12 @@ pub struct Workspace {
     pub(crate) coordinates: Vec<f64>,
     pub(crate) scales: Vec<f64>,
     pub(crate) eigen: Vec<f64>,
+    /// Ranges of the rows being built.
+    pub(crate) ranges: Vec<scalars::Interval>,
+    /// Linear programs over the generators' box.
+    pub(crate) solver: Option<boxlp::Solver>,
+    /// An objective of these.
+    pub(crate) objective: Vec<f64>,
 }
 
 impl Workspace {
