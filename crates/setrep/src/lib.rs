@@ -38,7 +38,7 @@ mod wedge;
 mod workspace;
 mod zonotope;
 
-pub use constrained_zonotope::ConstrainedZonotope;
+pub use constrained_zonotope::{Complexity, ConstrainedZonotope, Contradiction, Emptiness, Optimizer};
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;

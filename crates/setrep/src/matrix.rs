@@ -225,18 +225,6 @@ impl Matrix {
         self.data.truncate(end);
     }
 
-    /// Keeps the columns for whose index `keep` says `true`, in their order.
-    pub(crate) fn retain_cols(&mut self, keep: impl Fn(usize) -> bool) {
-        let mut kept = 0;
-        for j in 0..self.cols {
-            if keep(j) {
-                self.copy_col(j, kept);
-                kept += 1;
-            }
-        }
-        self.truncate_cols(kept);
-    }
-
     /// Drops the columns from `cols` on.
     pub(crate) fn truncate_cols(&mut self, cols: usize) {
         self.data.truncate(cols * self.rows);

@@ -91,7 +91,8 @@ impl ConstrainedZonotope {
         SetError::check_size(Part::Map, self.dim(), map.cols())?;
         SetError::check_size(Part::Map, other.dim(), map.rows())?;
         SetError::check_finite(Part::Map, map.rows(), map.as_slice())?;
-        let ranges: Vec<Interval> = other.center().iter().zip(other.remainder()).map(|(&d, &s)| Interval::point(d).inflate(s)).collect();
+        let ranges: Vec<Interval> =
+            other.center().iter().zip(other.remainder()).map(|(&d, &s)| Interval::point(d).inflate(s)).collect();
         let mut extents = vec![0.0; other.dim()];
         add_abs_row_sums(other.generators().as_slice(), &mut extents);
         let width = |i: usize| 2.0 * (extents[i] + other.remainder()[i]);

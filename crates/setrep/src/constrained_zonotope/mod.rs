@@ -2,12 +2,23 @@
 
 mod affine;
 mod cartesian_product;
+mod eliminate;
+mod emptiness;
 mod forms;
 mod intersection;
 mod maps;
+mod membership;
 mod minkowski_sum;
+mod optimizer;
+mod reduce;
+mod redundancy;
+mod rescale;
 mod rows;
+mod score;
 
+pub use emptiness::{Contradiction, Emptiness};
+pub use optimizer::Optimizer;
+pub use reduce::Complexity;
 use scalars::Interval;
 
 use crate::{Matrix, Part, SetError, Zonotope};
