@@ -5,8 +5,11 @@
 //! what floating point rounds away is bounded and added to `r`. What cannot promise that says `approx` in its name or in its
 //! first line of documentation.
 //!
+//! [`ConstrainedZonotope`] adds constraints with ranges, `A xi in [b]`: intersections with strips, half-spaces and other sets are exact
+//! but for rounding, and support, hull, emptiness and membership come with proofs from linear programs that need not be trusted.
+//!
 //! Reading order: [`Matrix`], [`IntervalVector`], [`IntervalMatrix`], [`Zonotope`], then one operation a file in `ops`,
-//! one order reduction a file in `reduce`.
+//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope`.
 //!
 //! ```
 //! use setrep::{Matrix, Reduction, Workspace, Zonotope};
