@@ -83,7 +83,7 @@ impl Certificate {
         }
         // Overflow ends as an infinite or NaN bound: nothing is proven then. A zero weight (rows of zeros whose range
         // leaves out 0) means a miss of any share of |A_i|_1 = 0.
-        if !(bound < 0.0) {
+        if bound.is_nan() || bound >= 0.0 {
             return 0.0;
         }
         if weight > 0.0 {

@@ -1,10 +1,8 @@
 //! The dual simplex method with bound flips, from any basis.
 
-use crate::bound::{Multiplier, Residual};
-use crate::certificate::Certificate;
 use crate::problem::Problem;
-use crate::ratio_test::RatioTest;
 use crate::tableau::{Tableau, Violation};
+use crate::workspace::Workspace;
 
 /// Violations below this (rows have 1-norms in [1/2, 1), the box has half-width 1) are rounding errors.
 pub(crate) const FEASIBILITY: f64 = 1e-13;
@@ -44,37 +42,7 @@ pub(crate) struct Rules {
     pub(crate) certify: bool,
 }
 
-/// Scratch of a solve, and its result.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Workspace {
-    pub(crate) ratio_test: RatioTest,
-    pub(crate) residual: Residual,
-    pub(crate) multipliers: Vec<Multiplier>,
-    pub(crate) point: Vec<f64>,
-    /// Proof of the last [`Ending::Empty`].
-    pub(crate) certificate: Certificate,
-    /// The objective of a feasibility problem.
-    pub(crate) zeros: Vec<f64>,
-    /// Scratch of a proof of non-emptiness, one entry a variable.
-    pub(crate) displacement: Vec<(f64, f64)>,
-    pub(crate) pivots: usize,
-}
-
 impl Workspace {
-    /// Makes room for a problem: afterwards nothing is allocated.
-    pub(crate) fn resize(&mut self, problem: &Problem) {
-        let n = problem.variables();
-        self.ratio_test.resize(n, problem.stride());
-        self.residual.resize(problem.stride());
-        self.multipliers.clear();
-        self.multipliers.reserve(n);
-        self.certificate.multipliers.clear();
-        self.certificate.multipliers.reserve(n + 1);
-        self.point.resize(n, 0.0);
-        self.zeros.resize(n, 0.0);
-        self.displacement.resize(n, (0.0, 0.0));
-    }
-
     /// Runs the method on a priced and placed tableau.
     pub(crate) fn run(&mut self, problem: &Problem, tableau: &mut Tableau, rules: Rules) -> Ending {
         let patience = 20 + 2 * (problem.variables() + problem.rows());
@@ -147,32 +115,5 @@ impl Workspace {
             push(v, -violation.sign * t);
         }
         self.certificate.miss(problem) > MISS
-    }
-
-    /// Reads the multipliers off the reduced costs and the point off the vertex.
-    pub(crate) fn read(&mut self, problem: &Problem, tableau: &Tableau) {
-        let n = problem.variables();
-        self.multipliers.clear();
-        let columns = &tableau.columns;
-        for ((&v, &cost), &value) in columns
-            .variable
-            .iter()
-            .zip(&columns.cost)
-            .zip(&columns.value)
-        {
-            match (v as usize).checked_sub(n) {
-                None => self.point[v as usize] = value,
-                Some(i) if cost != 0.0 => {
-                    self.multipliers.push((i, cost * problem.ranges()[i].scale))
-                }
-                Some(_) => {}
-            }
-        }
-        for (&v, &value) in tableau.rows.variable.iter().zip(&tableau.rows.value) {
-            if (v as usize) < n {
-                // A NaN becomes -1: the point is always in the box.
-                self.point[v as usize] = value.max(-1.0).min(1.0);
-            }
-        }
     }
 }

@@ -40,13 +40,16 @@ mod certificate;
 mod dual_simplex;
 mod ratio_test;
 mod tableau;
+mod workspace;
 
+mod answer;
 mod solver;
 mod witness;
 
+pub use answer::{Emptiness, Solution, Status};
 pub use bound::Multiplier;
 pub use certificate::Certificate;
 pub use error::LpError;
 pub use problem::Problem;
-pub use solver::{Emptiness, Solution, Solver, Status};
+pub use solver::Solver;
 pub use witness::Witness;

@@ -5,10 +5,14 @@
 //! The column at which it falls to zero enters; those before it flip. Source: Maros, *A generalized dual phase-2 simplex
 //! algorithm*, 2003.
 
-use crate::tableau::{Columns, Flip, Violation};
+use crate::tableau::basis::Columns;
+use crate::tableau::{Flip, Violation};
 
 /// A column enters with an entry below this share of the row's largest only if there is no other.
 const SMALL_PIVOT: f64 = 1e-7;
+
+/// Entries above this are good pivots whatever the others.
+const SURE_PIVOT: f64 = 1e-3;
 
 /// Entries below this are rounding errors: their column neither flips nor enters.
 const ZERO_PIVOT: f64 = 1e-13;
@@ -51,52 +55,41 @@ impl RatioTest {
 
     /// Runs the test on the tableau's row of the violated variable; leaves the flips in [`RatioTest::flips`].
     pub(crate) fn run(&mut self, row: &[f64], columns: &Columns, violation: Violation) -> Entering {
-        let mut count = 0;
-        // The basic variable itself has the entry 1.
-        let mut largest = 1.0;
-        for (j, (&t, &side)) in row.iter().zip(&columns.side).enumerate() {
-            let entry = violation.sign * t * side;
-            self.candidates[count] = Candidate {
-                column: j as u32,
-                entry,
-                ratio: 0.0,
-            };
-            count += usize::from(entry > ZERO_PIVOT);
-            let modulus = t.abs();
-            largest = if modulus > largest { modulus } else { largest };
-        }
+        self.flips.clear();
+        let count = self.collect(row, columns, violation.sign);
         let candidates = &mut self.candidates[..count];
-        for c in candidates.iter_mut() {
-            c.ratio = columns.cost[c.column as usize].abs() / c.entry;
-        }
         // Selection sort up to the breakpoint where the slope vanishes: few columns flip as a rule.
         let mut rest = violation.amount;
         let mut passed = 0;
-        while passed < count && (rest > 0.0 || candidates[passed - 1].entry < SMALL_PIVOT * largest)
-        {
-            let mut best = passed;
-            for k in passed + 1..count {
-                let (c, b) = (&candidates[k], &candidates[best]);
-                if c.ratio < b.ratio || (c.ratio == b.ratio && c.entry > b.entry) {
-                    best = k;
-                }
-            }
-            candidates.swap(passed, best);
-            let c = &candidates[passed];
-            let j = c.column as usize;
-            rest -= c.entry * (columns.upper[j] - columns.lower[j]);
+        while passed < count && rest > 0.0 {
+            rest -= pass(candidates, passed, columns);
             passed += 1;
         }
-        let passed = &candidates[..passed];
-        // The last one enters; if its entry is too small to divide by, the last one before it that is not.
-        let sound = passed
-            .iter()
-            .rposition(|c| c.entry >= SMALL_PIVOT * largest);
-        let widest =
-            || (0..passed.len()).max_by(|&a, &b| passed[a].entry.total_cmp(&passed[b].entry));
-        let entering = sound.or_else(widest);
-        self.flips.clear();
-        for c in &passed[..entering.unwrap_or(0)] {
+        // The last one enters.
+        let Some(last) = passed.checked_sub(1) else {
+            return Entering {
+                column: None,
+                rest,
+                stable: false,
+            };
+        };
+        let mut entering = last;
+        let mut stable = candidates[last].entry >= SURE_PIVOT;
+        if !stable {
+            // Its entry is too small to divide by: the last one before it that is not, or the first one after it.
+            let largest = row.iter().fold(1.0_f64, |m, t| m.max(t.abs()));
+            let sound = |c: &Candidate| c.entry >= SMALL_PIVOT * largest;
+            while passed < count && !candidates[..passed].iter().any(sound) {
+                rest -= pass(candidates, passed, columns);
+                passed += 1;
+            }
+            let before = &candidates[..passed];
+            stable = before.iter().any(sound);
+            let widest = |a: &usize, b: &usize| before[*a].entry.total_cmp(&before[*b].entry);
+            let widest = (0..passed).max_by(widest).unwrap_or(last);
+            entering = before.iter().rposition(sound).unwrap_or(widest);
+        }
+        for c in &candidates[..entering] {
             let j = c.column as usize;
             self.flips.push((
                 c.column,
@@ -104,9 +97,42 @@ impl RatioTest {
             ));
         }
         Entering {
-            column: entering.map(|k| passed[k].column as usize),
+            column: Some(candidates[entering].column as usize),
             rest,
-            stable: sound.is_some(),
+            stable,
         }
     }
+
+    /// Lists the columns that can repair the row; returns their number.
+    fn collect(&mut self, row: &[f64], columns: &Columns, sign: f64) -> usize {
+        let mut count = 0;
+        for (j, (t, side)) in row.iter().zip(&columns.side).enumerate() {
+            let entry = sign * t * side;
+            let slot = &mut self.candidates[count];
+            slot.column = j as u32;
+            slot.entry = entry;
+            // No branch: a column that does not help is overwritten by the next one.
+            count += usize::from(entry > ZERO_PIVOT);
+        }
+        for c in &mut self.candidates[..count] {
+            c.ratio = columns.cost[c.column as usize].abs() / c.entry;
+        }
+        count
+    }
+}
+
+/// Moves the candidate of the next breakpoint (of equal ones, that of the largest entry) to index `passed`; returns the
+/// fall of the slope there.
+fn pass(candidates: &mut [Candidate], passed: usize, columns: &Columns) -> f64 {
+    let mut best = passed;
+    let mut least = candidates[passed];
+    for (k, c) in candidates.iter().enumerate().skip(passed + 1) {
+        if c.ratio < least.ratio || (c.ratio == least.ratio && c.entry > least.entry) {
+            best = k;
+            least = *c;
+        }
+    }
+    candidates.swap(passed, best);
+    let j = least.column as usize;
+    least.entry * (columns.upper[j] - columns.lower[j])
 }

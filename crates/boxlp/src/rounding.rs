@@ -123,6 +123,7 @@ mod tests {
         assert!(lower <= 1.0 && 1.0 < upper);
         // Cancellation: the exact value is 2^-60.
         let (lower, upper) = dot_enclosure(&[1.0, f64::EPSILON / 256.0, -1.0], &[1.0, 1.0, 1.0]);
-        assert!(lower <= f64::EPSILON / 256.0 && f64::EPSILON / 256.0 <= upper && upper < 1e-17);
+        let exact = f64::EPSILON / 256.0;
+        assert!((-1e-17..=exact).contains(&lower) && (exact..1e-17).contains(&upper));
     }
 }

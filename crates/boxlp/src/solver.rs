@@ -1,13 +1,13 @@
-//! The solver: a problem, its tableau, and the answers.
+//! The solver: a problem and its tableau, one objective after another.
 
 use crate::LpError;
-use crate::bound::Multiplier;
-use crate::certificate::Certificate;
-use crate::dual_simplex::{Ending, FEASIBILITY, Rules, Workspace};
+use crate::answer::{Emptiness, Solution, Status};
+use crate::dual_simplex::{Ending, FEASIBILITY, Rules};
 use crate::problem::Problem;
 use crate::rounding::UNDERFLOW;
 use crate::tableau::Tableau;
 use crate::witness::Witness;
+use crate::workspace::Workspace;
 
 /// A gap above this share of `|c|_1` makes the solver rebuild a tableau that has seen exchanges, once a solve.
 const GAP: f64 = 1e-11;
@@ -62,59 +62,6 @@ pub struct Solver {
     /// Exchanges since the tableau was last compared with the data.
     unchecked: usize,
     pivot_limit: Option<usize>,
-}
-
-/// What a solve ended with; the bound is proven in every case.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Status {
-    /// The point is a vertex of the set and optimal, to working accuracy.
-    Optimal,
-    /// The set is proven empty: see [`Solver::emptiness`]. Value and bound are minus infinity.
-    Empty,
-    /// Stopped at the pivot limit or in numerical doubt: the point need not satisfy the rows, the bound may be loose.
-    Stopped,
-}
-
-/// Answer to one objective.
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
-pub struct Solution<'a> {
-    /// What the numbers mean.
-    pub status: Status,
-    /// `c'x` at the point, with plain rounding: an approximation of the maximum.
-    pub value: f64,
-    /// Proven upper bound of the maximum, at most `|c|_1` (rounded up).
-    pub bound: f64,
-    /// The point `x`, always in the box; it satisfies the rows to working accuracy if the status is `Optimal`.
-    pub point: &'a [f64],
-    /// The multipliers that prove the bound, by [`Problem::upper_bound`]; those of the certificate if the set is empty.
-    pub multipliers: &'a [Multiplier],
-    /// Exchanges made.
-    pub pivots: usize,
-}
-
-impl Solution<'_> {
-    /// `bound - value`: how much tighter the bound could be at most, up to rounding of the value (0 for an empty set).
-    #[must_use]
-    pub fn gap(&self) -> f64 {
-        if self.status == Status::Empty {
-            0.0
-        } else {
-            self.bound - self.value
-        }
-    }
-}
-
-/// Whether a set is empty. Nothing is claimed without a proof.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Emptiness<'a> {
-    /// Proven empty.
-    Empty(&'a Certificate),
-    /// Proven to have a point.
-    NonEmpty(&'a Witness),
-    /// Neither could be proven, as for a set that is a single point by the rounding of its data: to be treated as non-empty.
-    Undecided,
 }
 
 impl Solver {
@@ -246,7 +193,7 @@ impl Solver {
 
     /// Decides whether the set is empty, with a proof either way.
     ///
-    /// Method: the dual simplex for `c = 0` ends with a contradiction, of which a [`Certificate`] is made, or with a vertex.
+    /// Method: the dual simplex for `c = 0` ends with a contradiction, of which a [`Certificate`](crate::Certificate) is made, or with a vertex.
     /// Around it, or around a vertex of the set with all bounds moved inward a little, a [`Witness`] is proven.
     ///
     /// **Guarantee:** `Empty` and `NonEmpty` hold in real arithmetic.

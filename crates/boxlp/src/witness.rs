@@ -1,9 +1,9 @@
 //! Proof that a set is not empty: a point with a radius within which an exactly feasible point exists.
 
-use crate::dual_simplex::Workspace;
 use crate::problem::Problem;
 use crate::rounding::{add_down, add_up, dot_enclosure, mul_down, mul_up};
 use crate::tableau::Tableau;
+use crate::workspace::Workspace;
 
 /// An exactly feasible point `x` exists with `|x - point|_max <= radius`.
 ///

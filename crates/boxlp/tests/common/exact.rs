@@ -34,7 +34,7 @@ impl Exact {
         for i in 0..m {
             let row: Vec<BigRational> = problem.row(i).iter().map(|&a| rational(a)).collect();
             let reach: BigRational =
-                row.iter().map(|a| a.abs()).sum::<BigRational>() + rational(1.0);
+                row.iter().map(Signed::abs).sum::<BigRational>() + rational(1.0);
             let (lower, upper) = problem.range(i);
             // An infinite end is replaced by one the box cannot reach.
             let far = |end: f64, near: f64| {
@@ -199,5 +199,5 @@ pub(crate) fn weak_duality(
             *v -= &y * rational(a);
         }
     }
-    bound + residual.iter().map(|v| v.abs()).sum::<BigRational>()
+    bound + residual.iter().map(Signed::abs).sum::<BigRational>()
 }

@@ -93,7 +93,7 @@ fn the_ladder_is_climbed_on_the_right_side() {
         for kind in KINDS.into_iter().filter(|k| k.is_regular() && !k.is_tall()) {
             let case = case(kind, (2, 7, 3), seed);
             let c = &case.objectives[0];
-            let norm: f64 = c.iter().map(|c| c.abs()).sum();
+            let norm: f64 = c.iter().copied().map(f64::abs).sum();
             let top = Solver::new(case.problem.clone()).maximize(c).unwrap().bound;
             for exponent in 2..15 {
                 for sign in [-1.0, 1.0] {

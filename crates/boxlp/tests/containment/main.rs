@@ -1,4 +1,5 @@
 //! Bounds, certificates and witnesses against exact rational arithmetic.
+#![allow(clippy::unwrap_used, reason = "a failing unwrap is a failing test")]
 
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,4 +1,5 @@
 //! The corpus of 13 kinds of sets against other solvers.
+#![allow(clippy::unwrap_used, reason = "a failing unwrap is a failing test")]
 
 #[path = "../common/mod.rs"]
 mod common;
