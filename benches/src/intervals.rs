@@ -9,8 +9,11 @@ use crate::timing::Bench;
 /// Operand pairs per batch.
 const BATCH: usize = 1024;
 
+/// Operands of one batch.
+type Pairs<S> = Vec<(S, S)>;
+
 /// Pairs of numbers in (0.5, 2), and boxes of relative width 1e-3 around them; a quarter of the boxes get mixed signs.
-fn operands() -> (Vec<(f64, f64)>, Vec<(Interval, Interval)>) {
+fn operands() -> (Pairs<f64>, Pairs<Interval>) {
     let mut state = 7_u64;
     let mut draw = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

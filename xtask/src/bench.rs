@@ -8,7 +8,7 @@ use crate::process::{cargo, succeed};
 
 /// Arguments of `bench`.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Beginnings of the names of the rows to measure (all by default).
     names: Vec<String>,
     /// Also writes the rows as JSON.
@@ -20,7 +20,7 @@ pub struct Arguments {
 }
 
 /// Measures.
-pub fn run(arguments: &Arguments) -> Result<(), String> {
+pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let mut command = if arguments.criterion {
         cargo(&["bench", "--package", "benches", "--bench", "hot_paths", "--"])
     } else {

@@ -6,7 +6,7 @@ use crate::process::{cargo, root, succeed};
 use crate::{test, tidy};
 
 /// fmt, clippy, tidy, rustdoc, licences, tests, in the order of how soon they fail.
-pub fn run() -> Result<(), String> {
+pub(crate) fn run() -> Result<(), String> {
     succeed(&mut cargo(&["fmt", "--all", "--check"]), "fmt")?;
     tidy::run()?;
     succeed(

@@ -4,23 +4,23 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The environment variable that names the folder of `data`, `itf1788` and `peers`.
-pub const DATA_VARIABLE: &str = "ORBITOPE_DATA";
+pub(crate) const DATA_VARIABLE: &str = "ORBITOPE_DATA";
 
 /// The root of the workspace.
-pub fn root() -> &'static Path {
+pub(crate) fn root() -> &'static Path {
     // The manifest of this package lies one folder below the root.
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."))
 }
 
 /// Cargo, at the root of the workspace.
-pub fn cargo(arguments: &[&str]) -> Command {
+pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.current_dir(root()).args(arguments);
     command
 }
 
 /// Runs a command and turns anything but success into a message.
-pub fn succeed(command: &mut Command, what: &str) -> Result<(), String> {
+pub(crate) fn succeed(command: &mut Command, what: &str) -> Result<(), String> {
     println!("--- {what}");
     match command.status() {
         Ok(status) if status.success() => Ok(()),
@@ -33,7 +33,7 @@ pub fn succeed(command: &mut Command, what: &str) -> Result<(), String> {
 ///
 /// # Errors
 /// A folder that was named and does not exist.
-pub fn data_folder(argument: Option<&Path>) -> Result<Option<PathBuf>, String> {
+pub(crate) fn data_folder(argument: Option<&Path>) -> Result<Option<PathBuf>, String> {
     let named = argument.map(Path::to_path_buf).or_else(|| std::env::var_os(DATA_VARIABLE).map(PathBuf::from));
     match named {
         Some(folder) if !folder.is_dir() => Err(format!("the data folder {} does not exist", folder.display())),

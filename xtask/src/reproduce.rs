@@ -14,7 +14,7 @@ use crate::process::{data_folder, root};
 
 /// Arguments of `reproduce`.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Experiments to run (all by default).
     experiments: Vec<String>,
     /// Monte Carlo runs per case.
@@ -44,7 +44,7 @@ struct Done {
 }
 
 /// Runs the experiments one after the other and writes the files of each as soon as it ends.
-pub fn run(arguments: &Arguments) -> Result<(), String> {
+pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let experiments = select(&arguments.experiments)?;
     let data = data_folder(arguments.data.as_deref())?;
     let out = arguments.out.clone().unwrap_or_else(|| root().join("target/reproduce"));

@@ -6,7 +6,7 @@ use crate::process::{cargo, succeed};
 
 /// Arguments of `soak`.
 #[derive(Args)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// How many times the cases of a run in continuous integration.
     #[arg(long, default_value_t = 100)]
     factor: u32,
@@ -18,7 +18,7 @@ pub struct Arguments {
 const PACKAGES: [&str; 5] = ["scalars", "lie-groups", "setrep", "estimators", "scenarios"];
 
 /// Runs the `containment` batteries with `ORBITOPE_CASES` set.
-pub fn run(arguments: &Arguments) -> Result<(), String> {
+pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let known = PACKAGES.map(String::from);
     let packages: &[String] = if arguments.packages.is_empty() { &known } else { &arguments.packages };
     for package in packages {

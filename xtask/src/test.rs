@@ -8,14 +8,14 @@ use crate::process::{DATA_VARIABLE, cargo, data_folder, succeed};
 
 /// Arguments of `test`.
 #[derive(Args, Default)]
-pub struct Arguments {
+pub(crate) struct Arguments {
     /// Folder with data that does not ship with the project (else the environment variable ORBITOPE_DATA).
     #[arg(long, value_name = "DIR")]
     data: Option<PathBuf>,
 }
 
 /// Runs the tests of every package but the benches, with all features, then the doctests.
-pub fn run(arguments: &Arguments) -> Result<(), String> {
+pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let mut command = cargo(&["test", "--release", "--workspace", "--exclude", "benches", "--all-features"]);
     if let Some(folder) = data_folder(arguments.data.as_deref())? {
         command.env(DATA_VARIABLE, folder);

@@ -84,15 +84,18 @@ impl<const N: usize, const M: usize> ErrorSet<N, M> {
         Ok(())
     }
 
-    /// `next = R_s(current) - center`.
-    pub(crate) fn begin(&mut self, center: &SVector<f64, N>) -> Result<(), EstimatorError> {
+    /// `next = R_s(current)`.
+    pub(crate) fn begin(&mut self) -> Result<(), EstimatorError> {
         self.next.clone_from(&self.current);
-        // x - x = 0 exactly, so the remainder does not grow.
-        self.next.translate((-center).as_slice())?;
         if let Some((method, order)) = self.reduction {
             self.next.reduce(method, order, &mut self.workspace)?;
         }
         Ok(())
+    }
+
+    /// `next = next + x`; exact where the center of `next` is 0 or `-x`.
+    pub(crate) fn translate(&mut self, x: &SVector<f64, N>) -> Result<(), EstimatorError> {
+        Ok(self.next.translate(x.as_slice())?)
     }
 
     /// The gain for the reduced set, by the rule. `whole_step`: `a` is the model's, not the identity of an update alone.
@@ -143,11 +146,9 @@ impl<const N: usize, const M: usize> ErrorSet<N, M> {
         Ok(self.next.append_generators(&self.output)?)
     }
 
-    /// `current = next + center`.
-    pub(crate) fn commit(&mut self, center: &SVector<f64, N>) -> Result<(), EstimatorError> {
-        self.next.translate(center.as_slice())?;
+    /// `current = next`.
+    pub(crate) fn commit(&mut self) {
         std::mem::swap(&mut self.current, &mut self.next);
-        Ok(())
     }
 }
 

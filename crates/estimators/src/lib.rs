@@ -1,4 +1,43 @@
 //! Set-membership filters on vector spaces and Lie groups.
+//!
+//! A filter keeps an estimate and a set around it. Between measurements the set moves with the model and grows by the process
+//! noise; a measurement corrects the estimate by a gain `L` times the innovation and shrinks the set.
+//!
+//! | filter | state | set | guarantee |
+//! |---|---|---|---|
+//! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
+//! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
+//!
+//! All of them are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
+//! [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
+//! the set, and the documentation of each filter says how often it did.
+//!
+//! The gain is a rule, [`Gain`]: F-radius optimal ([`f_radius_gain`]), by pole placement for several outputs ([`place`]), or fixed.
+//!
+//! A call that fails leaves the filter as it was. In steady state (order reduction, F-radius or fixed gain, any gain whose pair
+//! `A, C` is constant) a call allocates nothing. The state of a filter is saved by `clone`, or by its getters and restored by its
+//! constructor.
+//!
+//! ```
+//! use estimators::{Estimator, InZsmf, Left, Outputs};
+//! use lie_groups::SE2;
+//! use nalgebra::Vector3;
+//! use setrep::{Reduction, Zonotope};
+//!
+//! let around_zero = |radii: &[f64]| Zonotope::from_box(&vec![0.0; radii.len()], radii);
+//! let mut filter: InZsmf<SE2<f64>, 3, 2, Left> = InZsmf::new(
+//!     SE2::from_pose(0.0, 0.0, 0.0),
+//!     &around_zero(&[0.3, 1.0, 1.0])?, // heading in rad, position in m, body coordinates
+//!     Outputs::position(),
+//!     &around_zero(&[0.001, 0.01, 0.01])?,
+//!     &around_zero(&[0.5, 0.5])?,
+//! )?
+//! .with_reduction(Reduction::Girard, 40)?;
+//! filter.update(&[0.2, -0.1])?; // a position fix
+//! filter.predict(&Vector3::new(0.01, 0.1, 0.0))?; // a step of 0.1 m with a turn of 0.01 rad
+//! # Ok::<(), estimators::EstimatorError>(())
+//! ```
+
 mod error;
 mod error_set;
 mod estimator;
@@ -11,3 +50,8 @@ pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
 pub use zsmf::{Model, Zsmf};
+
+/// The README's example is a doctest.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

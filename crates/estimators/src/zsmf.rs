@@ -158,7 +158,8 @@ impl<Mo: Model<N, M, W>, const N: usize, const M: usize, const W: usize> Zsmf<Mo
         let x = self.estimate;
         let mut next = input.map_or(x, |u| self.model.transition(&x, u));
         let a = input.map_or(SMatrix::identity(), |u| self.model.transition_jacobian(&x, u));
-        self.errors.begin(&x)?;
+        self.errors.begin()?;
+        self.errors.translate(&-x)?;
         let mut gain = None;
         let mut closed = a;
         if let Some(y) = y {
@@ -177,7 +178,8 @@ impl<Mo: Model<N, M, W>, const N: usize, const M: usize, const W: usize> Zsmf<Mo
         if let Some(l) = gain {
             self.errors.add_output(|j| -l * SVector::from_column_slice(self.noise.col(j)))?;
         }
-        self.errors.commit(&next)?;
+        self.errors.translate(&next)?;
+        self.errors.commit();
         self.estimate = next;
         Ok(())
     }

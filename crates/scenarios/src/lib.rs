@@ -17,6 +17,7 @@ pub mod report;
 pub mod results;
 pub mod truth;
 pub mod vehicle;
+pub mod wifibot;
 
 pub use curve::Curve;
 pub use error::ScenarioError;

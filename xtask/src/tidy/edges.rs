@@ -18,7 +18,7 @@ const ALLOWED: [(&str, &[&str]); 9] = [
 ];
 
 /// Edges that the architecture does not have, and packages it does not know.
-pub fn check(metadata: &Value) -> Vec<Finding> {
+pub(crate) fn check(metadata: &Value) -> Vec<Finding> {
     let packages = metadata["packages"].as_array().map(Vec::as_slice).unwrap_or_default();
     let ours: Vec<&str> = packages.iter().filter_map(|package| package["name"].as_str()).collect();
     let mut findings = Vec::new();

@@ -10,7 +10,7 @@ use crate::process::{cargo, root};
 type Finding = String;
 
 /// Checks all rules and lists every finding.
-pub fn run() -> Result<(), String> {
+pub(crate) fn run() -> Result<(), String> {
     println!("--- tidy");
     let metadata = metadata()?;
     let mut findings = edges::check(&metadata);

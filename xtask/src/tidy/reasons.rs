@@ -3,7 +3,7 @@
 use super::Finding;
 
 /// Names in `[workspace.dependencies]` that the text does not name in backticks.
-pub fn check(manifest: &str, architecture: &str) -> Vec<Finding> {
+pub(crate) fn check(manifest: &str, architecture: &str) -> Vec<Finding> {
     let table = manifest
         .lines()
         .skip_while(|line| line.trim() != "[workspace.dependencies]")

@@ -15,7 +15,7 @@ const SILENT: [&str; 6] = ["scalars", "boxlp", "lie-groups", "setrep", "nonlin-b
 const NOISE: [&str; 8] = ["println!", "eprintln!", "print!(", "dbg!", "std::fs", "std::io", "std::env", "std::process"];
 
 /// Checks every file that git tracks or would add.
-pub fn check() -> Result<Vec<Finding>, String> {
+pub(crate) fn check() -> Result<Vec<Finding>, String> {
     let mut findings = Vec::new();
     for path in tracked()? {
         if path == "Cargo.lock" || path.ends_with(".svg") {

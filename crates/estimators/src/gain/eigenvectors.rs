@@ -12,7 +12,7 @@ use super::poles::Pole;
 use crate::EstimatorError;
 
 /// Sweeps over all columns; a sweep that gains less than [`GAIN_LIMIT`] in `ln |det X|` is the last.
-const MAX_SWEEPS: usize = 40;
+const MAX_SWEEPS: usize = 200;
 const GAIN_LIMIT: f64 = 1e-9;
 /// Starting points tried; ascent of a determinant can end in a local maximum.
 const STARTS: usize = 2;

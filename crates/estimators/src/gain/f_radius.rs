@@ -37,16 +37,10 @@ pub fn f_radius_gain<const N: usize, const M: usize>(
     let singular = |pivot_ratio| EstimatorError::SingularInnovation { outputs: M, pivot_ratio, limit: PIVOT_LIMIT };
     let factor = Cholesky::new(s).ok_or(singular(0.0))?;
     let l = factor.l_dirty();
-    let mut smallest = f64::INFINITY;
-    for i in 0..M {
-        let ratio = l[(i, i)] * l[(i, i)] / s[(i, i)];
-        // A NaN ratio fails the comparison below as well.
-        if !(ratio >= smallest) {
-            smallest = ratio;
-        }
-    }
-    if !(smallest >= PIVOT_LIMIT) && M > 0 {
-        return Err(singular(smallest));
+    let ratios = (0..M).map(|i| l[(i, i)] * l[(i, i)] / s[(i, i)]);
+    // A NaN ratio is not accepted either.
+    if !ratios.clone().all(|ratio| ratio >= PIVOT_LIMIT) {
+        return Err(singular(ratios.fold(f64::INFINITY, f64::min)));
     }
     Ok(a * factor.solve(&seen).transpose())
 }

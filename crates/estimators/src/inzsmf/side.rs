@@ -19,8 +19,8 @@ pub trait ErrorSide: sealed::Sealed + Copy + Debug + Default + Send + Sync + 'st
     /// Whether this is the left-invariant error.
     const IS_LEFT: bool;
 
-    /// `A` for the increment `xi`.
-    fn transition<G, const N: usize, const D: usize>(xi: &SVector<f64, N>) -> SMatrix<f64, N, N>
+    /// `A` for the motion `exp(xi)`.
+    fn transition<G, const N: usize, const D: usize>(motion: &G) -> SMatrix<f64, N, N>
     where
         G: LieGroup<f64, N, D>;
 
@@ -61,8 +61,8 @@ impl ErrorSide for Left {
     const IS_LEFT: bool = true;
 
     #[inline]
-    fn transition<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(xi: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        G::exp(&-xi).adjoint()
+    fn transition<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(motion: &G) -> SMatrix<f64, N, N> {
+        motion.inverse().adjoint()
     }
 
     #[inline]
@@ -95,7 +95,7 @@ impl ErrorSide for Right {
     const IS_LEFT: bool = false;
 
     #[inline]
-    fn transition<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(_: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+    fn transition<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(_: &G) -> SMatrix<f64, N, N> {
         SMatrix::identity()
     }
 

@@ -1,5 +1,7 @@
 //! The state lies in the set where the filters promise it, and near it where they do not.
 
+#![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
+
 #[path = "../support/mod.rs"]
 mod support;
 

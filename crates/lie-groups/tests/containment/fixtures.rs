@@ -5,6 +5,7 @@ use nalgebra::{Matrix2, Vector3};
 use scalars::Interval;
 
 use crate::boxes::interval;
+use crate::support::dd::Dd;
 use crate::support::dense::Dense;
 
 const PI: f64 = std::f64::consts::PI;
@@ -84,4 +85,18 @@ fn boxes_shrink_to_their_arc() {
     // The whole circle.
     let any = SO2::from_cos_sin(interval(-1.0, 1.0), interval(-1.0, 1.0)).unwrap();
     assert!(interval(-PI, PI).subset_of(&any.turn().arc()));
+}
+
+/// Whole turns are taken off with an enclosure of `2 pi`, not with the `f64` number next to it.
+#[test]
+fn angles_of_many_turns() {
+    // pi in double-double.
+    let pi = Dd { hi: PI, lo: 1.2246467991473532e-16 };
+    for theta in [7.0, -50.0, 100.0, 1e4, 1e6] {
+        let turns = (theta / (2.0 * PI)).round();
+        let exact = Dd::from(theta) - pi * (2.0 * turns).into();
+        let angle = SO2::from_angle(Interval::point(theta)).angle().unwrap();
+        assert!(exact.in_interval(&angle), "{theta}: {exact:?} is not in {angle:?}");
+        assert!(angle.width() <= 4.0 * f64::EPSILON * theta.abs());
+    }
 }

@@ -11,14 +11,16 @@ const DENSE_STEPS: usize = 150;
 /// Distance of the steps drawn later.
 const STRIDE: usize = 5;
 
+/// Draws courses of several methods into one panel with a title.
+type DrawPanel = fn(&str, &Courses, &[&Course]) -> Panel;
+
 /// Figure 2 (a) to (h): trajectories, heading error with its bounds, RMS errors; left column good, right column bad initial estimate.
 #[must_use]
 pub fn figure_2(courses: &Courses, mode: Mode) -> Figure {
     let title = format!("ZSMF and InZSMF with the F-radius gain, {} mode (paper: Figure 2)", mode.name());
     let methods = ["zsmf", "inzsmf"];
     let mut figure = Figure::new(format!("figure-2-{}", mode.name()), title, 2);
-    let panels: [fn(&str, &Courses, &[&Course]) -> Panel; 4] =
-        [trajectories, heading_errors, rms_headings, rms_positions];
+    let panels: [DrawPanel; 4] = [trajectories, heading_errors, rms_headings, rms_positions];
     for (row, panel) in panels.iter().enumerate() {
         for (column, &case) in FIGURE_2_CASES.iter().enumerate() {
             let letter = char::from(b'a' + (2 * row + column) as u8);
@@ -70,29 +72,44 @@ fn time_s(k: usize) -> f64 {
 }
 
 fn trajectories(title: &str, courses: &Courses, of: &[&Course]) -> Panel {
+    let panel = Panel::new(format!("{title}: trajectory"), "x1 [m]", "x2 [m]").equal_aspect();
+    let panel = of.iter().fold(panel, |panel, course| {
+        let positions = drawn(course.first_run.len()).map(|k| course.first_run[k].center.position);
+        let line =
+            Series::line(label(&course.method), look(&course.method).solid(), positions.map(|[x1, x2]| (x1, x2)));
+        panel.with(line)
+    });
     let xy = |state: &TruePose| (state.position[0].value(), state.position[1].value());
     let truth = drawn(courses.truth.states.len()).map(|k| xy(&courses.truth.states[k]));
-    let panel = Panel::new(format!("{title}: trajectory"), "x1 [m]", "x2 [m]").equal_aspect();
-    of.iter().fold(panel.with(Series::line("truth", Look::REFERENCE, truth)), |panel, course| {
-        let points =
-            drawn(course.first_run.len()).map(|k| course.first_run[k].center.position).map(|[x1, x2]| (x1, x2));
-        panel.with(Series::line(label(&course.method), look(&course.method), points))
-    })
+    panel.with(Series::line("truth", Look::REFERENCE.dashed(1), truth))
 }
 
 /// The error of the centre, and the bounds that the set puts on the error: the half width of its heading interval, both signs.
 fn heading_errors(title: &str, _: &Courses, of: &[&Course]) -> Panel {
     let panel = Panel::new(format!("{title}: heading error"), "t [s]", "theta [rad]");
     of.iter().fold(panel, |panel, course| {
-        let line = |value: fn(&crate::inzsmf::tracking::TrackedStep) -> f64| {
-            drawn(course.first_run.len()).map(move |k| (time_s(k), value(&course.first_run[k])))
+        let bound = |sign: f64| {
+            drawn(course.first_run.len()).map(move |k| (time_s(k), sign * 0.5 * course.first_run[k].widths[0]))
         };
         let (name, look) = (label(&course.method), look(&course.method));
         panel
-            .with(Series::line(name, look.solid(), line(|step| step.heading_error_rad)))
-            .with(Series::line(format!("{name} bounds"), look.dashed(1), line(|step| 0.5 * step.widths[0])))
-            .with(Series::line(format!("{name} bounds"), look.dashed(1), line(|step| -0.5 * step.widths[0])))
+            .with(Series::line(name, look.solid(), without_jumps(course)))
+            .with(Series::line(format!("{name} bounds"), look.dashed(1), bound(1.0)))
+            .with(Series::line(format!("{name} bounds"), look.dashed(1), bound(-1.0)))
     })
+}
+
+/// The heading error over time, with gaps where it passes half a turn.
+fn without_jumps(course: &Course) -> Vec<(f64, f64)> {
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    for k in drawn(course.first_run.len()) {
+        let error = course.first_run[k].heading_error_rad;
+        if points.last().is_some_and(|last| (error - last.1).abs() > std::f64::consts::PI) {
+            points.push((time_s(k), f64::NAN));
+        }
+        points.push((time_s(k), error));
+    }
+    points
 }
 
 fn rms_headings(title: &str, _: &Courses, of: &[&Course]) -> Panel {

@@ -264,3 +264,39 @@ fn reduce_with_signs(columns: &mut Vec<Vector3<f64>>, max: usize) {
     let sum: Vector3<f64> = columns.drain(max - 3..).sum();
     columns.extend((0..3).map(|axis| Vector3::ith(axis, sum[axis])));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The flaw, shown: opposite columns cancel, and the reduced set has lost the length of both.
+    #[test]
+    fn signed_sums_lose_what_cancels() {
+        let mut columns = vec![Vector3::new(1.0, 0.0, 0.0); 27];
+        columns.extend((0..10).map(|j| Vector3::new(0.0, 0.0, if j % 2 == 0 { 0.5 } else { -0.5 })));
+        let width = |columns: &[Vector3<f64>]| columns.iter().map(|column| column[2].abs()).sum::<f64>();
+        assert_eq!(width(&columns), 5.0);
+        reduce_with_signs(&mut columns, MAX_COLUMNS);
+        assert_eq!((columns.len(), width(&columns)), (MAX_COLUMNS, 0.0));
+        // Up to the limit nothing is touched.
+        let before = columns.clone();
+        reduce_with_signs(&mut columns, MAX_COLUMNS);
+        assert_eq!(columns, before);
+    }
+
+    /// Both placed gains of the tables give the poles, at any heading.
+    #[test]
+    fn placed_gains_place_the_poles_at_any_heading() {
+        let PublishedGain::Poles(gain) = poles(Coordinates::Euclidean).unwrap() else { panic!("no gain") };
+        for heading in [0.0, 0.7, 2.0, -3.0] {
+            let frame = rotation(heading);
+            let (sin, cos) = f64::sin_cos(heading);
+            let advance = SPEED * PERIOD_S;
+            let a = Matrix3::new(1.0, 0.0, 0.0, -sin * advance, 1.0, 0.0, cos * advance, 0.0, 1.0);
+            let closed = a - turned(&frame) * gain * frame.transpose() * output_matrix();
+            let sum: f64 = POLES.iter().sum();
+            let product: f64 = POLES.iter().product();
+            assert!((closed.trace() - sum).abs() < 1e-12 && (closed.determinant() - product).abs() < 1e-12);
+        }
+    }
+}

@@ -70,18 +70,19 @@ pub fn report(scale: &Scale, verdicts: Vec<String>, results: &Results, timings: 
         .heading("Containment")
         .paragraph(format!(
             "Both filters start with `H_0 = diag(1.05 |e_0| + 0.05)` in their own coordinates, so the initial error is inside. {} runs of {} \
-             steps, every {} step looked at. Cells: runs in which truth and set are proven disjoint at some step, share of such \
+             steps; {} is looked at. Cells: runs in which truth and set are proven disjoint at some step, share of such \
              steps, largest gauge (1 is the boundary). Rows of `{CONTAINMENT}` in `results.json` have all numbers.",
             scale.containment_runs,
             containment::STEPS,
-            ordinal(scale.containment_stride),
+            every(scale.containment_stride),
         ))
         .table(containment_table(tallies));
     report
 }
 
-fn ordinal(stride: usize) -> String {
-    if stride == 1 { "single".to_owned() } else { format!("{stride}th") }
+/// Which steps, in words.
+fn every(stride: usize) -> String {
+    if stride == 1 { "every step".to_owned() } else { format!("every {stride}th step") }
 }
 
 fn settings(scale: &Scale) -> Vec<String> {

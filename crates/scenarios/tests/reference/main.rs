@@ -1,6 +1,10 @@
 //! Experiments against the papers' numbers, independent computations and values by hand.
 
+// Helpers outside the test functions fail by panic as well.
+#![allow(clippy::unwrap_used)]
+
 mod determinism;
 mod metrics;
 mod published;
 mod sound;
+mod wifibot;

@@ -100,7 +100,7 @@ impl Zonotope {
 }
 
 /// Whether the box remainder `r` is more than rounding beside the generators' extent and the center in its row.
-pub(crate) fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
+fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
     r > 1e-9 * extent && r > 1e-12 * center
 }
 

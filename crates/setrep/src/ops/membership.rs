@@ -234,3 +234,27 @@ fn same_product(a: f64, b: f64, c: f64, d: f64) -> bool {
     let exact_zeros = (a == 0.0 || b == 0.0) && (c == 0.0 || d == 0.0);
     exact_zeros || (left.is_finite() && left.abs() > SAFE_MAGNITUDE && a.mul_add(b, -left) == c.mul_add(d, -right))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Columns a few ulps apart: the computed minors are mostly rounding, and the bound covers it.
+    #[test]
+    fn product_error_bounds_the_rounding_of_normals() {
+        for n in 2..6 {
+            let column = |j: usize| {
+                (0..n).map(move |i| (1.0 + 0.37 * i as f64).sin() * (1.0 + (i * j % 5) as f64 * f64::EPSILON))
+            };
+            let columns: Vec<f64> = (0..n).flat_map(column).collect();
+            let norms: Vec<f64> = columns.chunks_exact(n).map(|g| g.iter().map(|x| x.abs()).sum()).collect();
+            let subset: Vec<usize> = (0..n - 1).collect();
+            let computed = Wedge::<f64>::new(n, n - 1).of(&columns, &subset).to_vec();
+            let mut exact = Wedge::<Interval>::new(n, n - 1);
+            let error = product_error(&subset, &norms);
+            for (minor, enclosure) in computed.iter().zip(exact.of(&columns, &subset)) {
+                assert!(enclosure.add_f64(-minor).mig() <= error, "{minor} against {enclosure}, error {error}");
+            }
+        }
+    }
+}

@@ -50,6 +50,16 @@ fn underflow_is_covered() {
     }
 }
 
+/// Ten products of 0.4 of the smallest number all vanish, and their sum of four times it must come back in the remainder.
+#[test]
+fn every_underflow_counts() {
+    let (tiny, shrink) = (0.4 * 2f64.powi(-74), Matrix::from_rows(&[&[2f64.powi(-1000)]]).unwrap());
+    let set = Zonotope::new(&[0.0], &Matrix::from_rows(&[&[tiny; 10]]).unwrap()).unwrap();
+    let mapped = set.linear_map(&shrink).unwrap();
+    assert_eq!(mapped.generators().as_slice(), [0.0; 10]);
+    assert!(mapped.remainder()[0] >= 4.0 * f64::from_bits(1));
+}
+
 /// Signed permutations and projections are exact, so they cost no remainder.
 #[test]
 fn selections_are_exact() {

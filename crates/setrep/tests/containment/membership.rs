@@ -1,7 +1,7 @@
-use setrep::{IntervalVector, Membership, Zonotope};
+use setrep::{IntervalVector, Matrix, Membership, Zonotope};
 
 use crate::SEED;
-use crate::common::exact::lies_in;
+use crate::common::exact::{exact, lies_in};
 use crate::common::random::{Random, cases};
 
 /// A point at about the given gauge, rounded to floats.
@@ -30,7 +30,7 @@ fn proofs_agree_with_exact_facets() {
         let gauge = [0.0, 0.5, 0.99, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.01, 3.0][random.below(8)];
         let point = point_at(&set, gauge, &mut random);
         let verdict = set.membership(&IntervalVector::point(&point)).unwrap();
-        let inside = lies_in(&set, &crate::common::exact::exact(&point));
+        let inside = lies_in(&set, &exact(&point));
         let context = format!("seed {SEED}+21 case {case}: {verdict:?}, exactly {inside}, {point:?} {set:?}");
         match verdict {
             Membership::ProvenInside => assert!(inside, "{context}"),
@@ -59,4 +59,27 @@ fn boxes_of_points() {
     assert_eq!(square.membership(&around(0.5, 0.4)).unwrap(), Membership::ProvenInside);
     assert_eq!(square.membership(&around(1.0, 0.4)).unwrap(), Membership::Undecided);
     assert_eq!(square.membership(&around(1.5, 0.4)).unwrap(), Membership::ProvenOutside);
+}
+
+/// Two columns a few ulps apart: their computed normal is mostly rounding, and must not prove the point beyond the third inside. Where
+/// the third is as short as the first two are apart, no other normal tells.
+#[test]
+fn nearly_parallel_generators() {
+    let mut outside = 0;
+    for case in 0..cases(300) {
+        let mut random = Random::new(SEED + 22, case);
+        let a: Vec<f64> = (0..3).map(|_| random.moderate()).collect();
+        let b: Vec<f64> = a.iter().map(|x| x * (1.0 + (random.below(9) as f64 - 4.0) * f64::EPSILON)).collect();
+        let length = [1e-2, 1e-15, 1e-16][random.below(3)];
+        let c: Vec<f64> = (0..3).map(|_| length * random.moderate()).collect();
+        let generators = Matrix::from_columns(&[&a, &b, &c]).unwrap();
+        let set = Zonotope::new(&[0.0; 3], &generators).unwrap();
+        let point: Vec<f64> = c.iter().map(|x| 1.01 * x).collect();
+        let inside = lies_in(&set, &exact(&point));
+        outside += usize::from(!inside);
+        let verdict = set.membership(&IntervalVector::point(&point)).unwrap();
+        let wrong = if inside { Membership::ProvenOutside } else { Membership::ProvenInside };
+        assert_ne!(verdict, wrong, "seed {SEED}+22 case {case}: {set:?}");
+    }
+    assert!(outside > 200, "only {outside} points are outside");
 }
