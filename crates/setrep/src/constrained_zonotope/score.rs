@@ -13,7 +13,7 @@ use super::ConstrainedZonotope;
 use crate::Workspace;
 
 /// Weight of the change of coordinates, in units of the hull.
-const WEIGHT: f64 = 1e-2;
+const WEIGHT: f64 = 0.1;
 
 /// What to free.
 #[derive(Debug, Clone, Copy)]

@@ -52,7 +52,7 @@ impl Zonotope {
         }
         self.magnitudes(map.mid(), workspace);
         let spread = Spread { rad: map.rad(), hull };
-        remainder_of_image(map.mid(), Some(spread), self.num_generators() + self.dim() + 1, workspace)?;
+        remainder_of_image(map.mid(), Some(&spread), self.num_generators() + self.dim() + 1, workspace)?;
         self.apply(map.mid(), workspace);
         Ok(())
     }

@@ -100,7 +100,7 @@ impl Zonotope {
 }
 
 /// Whether the box remainder `r` is more than rounding beside the generators' extent and the center in its row.
-fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
+pub(crate) fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
     r > 1e-9 * extent && r > 1e-12 * center
 }
 
@@ -113,7 +113,7 @@ fn spreads(column: &[f64]) -> bool {
 /// overflows. `columns` counts the columns that are mapped, the center included.
 pub(crate) fn remainder_of_image(
     map: &Matrix,
-    spread: Option<Spread<'_>>,
+    spread: Option<&Spread<'_>>,
     columns: usize,
     workspace: &mut Workspace,
 ) -> Result<(), SetError> {
@@ -141,7 +141,7 @@ pub(crate) fn remainder_of_image(
             let rounding = product_sum_bound(gamma(nonzeros) * magnitude, columns * products, 1);
             add_lengths(product_sum_bound(carried, carried_products, n), rounding)
         };
-        let remainder = match &spread {
+        let remainder = match spread {
             None => remainder,
             Some(spread) => add_lengths(remainder, spread.of_row(i, workspace)),
         };

@@ -1,3 +1,4 @@
+use scalars::Interval;
 use setrep::{ConstrainedZonotope, Emptiness, IntervalVector, Matrix, Membership, Workspace};
 
 use crate::SEED;
@@ -49,7 +50,7 @@ fn contradictions_are_proven() {
         };
         assert!(proof.verify(&cut) && !proof.verify(&set) && !proof.multipliers().is_empty());
         assert!(cut.is_proven_empty(&mut workspace).unwrap());
-        assert!(cut.interval_hull(&mut workspace).unwrap().iter().all(|side| side.is_empty()));
+        assert!(cut.interval_hull(&mut workspace).unwrap().iter().all(Interval::is_empty));
         assert_eq!(cut.support(&d, &mut workspace).unwrap(), f64::NEG_INFINITY);
         // Operations on an empty set are valid, and it stays so.
         let image = cut.linear_map(&Matrix::identity(n)).unwrap().minkowski_sum(&set).unwrap();

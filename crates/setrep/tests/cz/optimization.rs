@@ -40,7 +40,7 @@ fn membership_decides_away_from_the_boundary() {
         }
         asked += 1;
         // A point just inside the half-space, near the center; and one beyond it.
-        let scale = hull.iter().map(|side| side.width()).fold(f64::INFINITY, f64::min);
+        let scale = hull.iter().map(Interval::width).fold(f64::INFINITY, f64::min);
         let at = |t: f64| -> Vec<f64> { set.center().iter().zip(&c).map(|(x, c)| x - t * scale * c).collect() };
         let near = set.membership(&IntervalVector::point(&at(1e-9)), &mut workspace).unwrap();
         assert!(near != Membership::ProvenOutside, "seed {SEED}+21 case {case}");
