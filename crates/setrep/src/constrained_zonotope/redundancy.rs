@@ -19,7 +19,8 @@ impl ConstrainedZonotope {
     /// let rows = Matrix::from_rows(&[&[1.0, 1.0, -0.5]])?;
     /// let mut band = ConstrainedZonotope::from_cg_rep(&[0.0, 0.0], &generators, &rows, &[0.0])?;
     /// band.remove_inactive_generators();
-    /// assert_eq!((band.num_generators(), band.ranges()[0].width()), (2, 1.0));
+    /// assert_eq!(band.num_generators(), 2);
+    /// assert!((1.0..1.0 + 1e-15).contains(&band.ranges()[0].width()));
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn remove_inactive_generators(&mut self) {
