@@ -1,9 +1,11 @@
 use scalars::Interval;
-use setrep::{Complexity, ConstrainedZonotope, Matrix, Reduction, SetError, Workspace};
+use setrep::{Complexity, ConstrainedZonotope, Matrix, Reduction, SetError, Workspace, Zonotope};
 
 use crate::SEED;
+use crate::common::dyadic::Dyadic;
+use crate::common::exact::times;
 use crate::common::random::{Random, cases};
-use crate::member::{assert_not_refuted, constrained};
+use crate::member::{assert_not_refuted, constrained, is_constrained_witness};
 
 const METHODS: [Reduction; 4] = [Reduction::Method4, Reduction::Girard, Reduction::Combastel, Reduction::Pca];
 
@@ -125,4 +127,74 @@ fn degenerate_sets_reduce() {
         let refused = set.clone().reduce(few, Reduction::Girard, &mut workspace);
         assert_eq!(refused, Err(SetError::TooFewGenerators { max_generators: 1, dim: 2 }));
     }
+}
+
+/// Sets that rescaling leaves alone, with exact equalities: the coordinates of a member but one prove it a member of the set with one
+/// constraint fewer, in exact arithmetic. Without the rounding of the elimination they do not.
+#[test]
+fn one_elimination_has_an_exact_witness() {
+    let mut workspace = Workspace::new();
+    let (mut stripped, total) = (0, cases(2_000));
+    for case in 0..total {
+        let mut random = Random::new(SEED + 53, case);
+        let (n, m, rows) = (random.between(1, 3), 8, random.between(1, 2));
+        let mut grid = |count: usize| -> Vec<f64> {
+            (0..count).map(|_| (32 + random.below(33)) as f64 / 64.0 * [1.0, -1.0][random.below(2)]).collect()
+        };
+        let a = Matrix::from_column_slice(rows, m, &grid(rows * m)).unwrap();
+        let xi: Vec<f64> = (0..m).map(|_| (random.below(7) as f64 - 3.0) / 16.0).collect();
+        let mut entries = |count: usize| -> Vec<f64> { (0..count).map(|_| random.moderate()).collect() };
+        let (center, g) = (entries(n), Matrix::from_column_slice(n, m, &entries(n * m)).unwrap());
+        let b: Vec<f64> = times(&a, &xi).iter().map(Dyadic::approx).collect();
+        let set = ConstrainedZonotope::from_cg_rep(&center, &g, &a, &b).unwrap();
+        let mut x = times(&g, &xi);
+        x.iter_mut().zip(&center).for_each(|(x, &c)| *x += &Dyadic::from(c));
+        assert!(is_constrained_witness(&set, &xi, &x));
+        let mut reduced = set.clone();
+        reduced.eliminate_constraints(rows - 1, &mut workspace).unwrap();
+        assert_eq!((reduced.num_generators(), reduced.num_constraints()), (m - 1, rows - 1));
+        let proves = |reduced: &ConstrainedZonotope| {
+            (0..m).any(|j| {
+                let rest: Vec<f64> = (0..m).filter(|&k| k != j).map(|k| xi[k]).collect();
+                is_constrained_witness(reduced, &rest, &x)
+            })
+        };
+        assert!(proves(&reduced), "seed {SEED}+53 case {case}: {set:?} {reduced:?} {xi:?}");
+        let bare = Zonotope::new(reduced.center(), reduced.generators()).unwrap();
+        let bare = ConstrainedZonotope::with_constraints(&bare, reduced.constraints(), reduced.ranges()).unwrap();
+        stripped += usize::from(!proves(&bare));
+    }
+    assert!(2 * stripped > total, "only {stripped} of {total} need the remainder");
+}
+
+/// What the reduction of the lifted zonotope adds to its remainder widens the remainder and the ranges.
+#[test]
+fn rounding_of_the_lift_is_kept() {
+    let mut workspace = Workspace::new();
+    let mut widened = 0;
+    for case in 0..cases(200) {
+        let mut random = Random::new(SEED + 54, case);
+        let (n, m, rows) = (2, 9, 2);
+        let mut entries = |count: usize| -> Vec<f64> { (0..count).map(|_| random.moderate()).collect() };
+        let g = Matrix::from_column_slice(n, m, &entries(n * m)).unwrap();
+        let a = Matrix::from_column_slice(rows, m, &entries(rows * m)).unwrap();
+        let set = ConstrainedZonotope::from_cg_rep(&[0.5, -0.5], &g, &a, &[0.25, 0.0]).unwrap();
+        let columns: Vec<Vec<f64>> = g.columns().zip(a.columns()).map(|(g, a)| [g, a].concat()).collect();
+        let lift = Matrix::from_columns(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>()).unwrap();
+        let mut lift = Zonotope::new(&[0.5, -0.5, 0.0, 0.0], &lift).unwrap();
+        let mut reduced = set.clone();
+        let method = METHODS[[0, 3][case % 2]];
+        lift.reduce(method, 6, &mut workspace).unwrap();
+        reduced.reduce_generators(method, 6, &mut workspace).unwrap();
+        assert!(reduced.num_generators() <= 6);
+        for i in 0..n {
+            assert!(reduced.remainder()[i] >= lift.remainder()[i]);
+        }
+        for i in 0..rows {
+            let widening = lift.remainder()[n + i];
+            assert!(set.ranges()[i].inflate(widening).subset_of(&reduced.ranges()[i]), "seed {SEED}+54 case {case}");
+            widened += usize::from(widening > 0.0);
+        }
+    }
+    assert!(widened > cases(200), "{widened}");
 }
