@@ -58,19 +58,20 @@ impl ConstrainedZonotope {
         workspace: &mut Workspace,
         change: impl FnOnce(&mut Self, &mut Workspace) -> Result<(), SetError>,
     ) -> Result<(), SetError> {
-        let mut draft = match workspace.draft.take() {
-            Some(mut draft) => {
-                draft.clone_from(self);
-                draft
-            }
-            None => self.clone(),
-        };
+        let mut draft = self.copy_into(workspace.draft.take());
         let result = change(&mut draft, workspace);
         if result.is_ok() {
             core::mem::swap(self, &mut draft);
         }
         workspace.draft = Some(draft);
         result
+    }
+
+    /// A copy of the set, in the storage of another one if there is one.
+    pub(super) fn copy_into(&self, storage: Option<Self>) -> Self {
+        let Some(mut copy) = storage else { return self.clone() };
+        copy.clone_from(self);
+        copy
     }
 
     /// Solves row `p` for `xi_j` and substitutes it everywhere.

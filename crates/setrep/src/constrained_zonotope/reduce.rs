@@ -20,7 +20,8 @@ impl ConstrainedZonotope {
     /// Constraints first, then generators: the set is simplified ([`rescale`](Self::rescale),
     /// [`remove_inactive_generators`](Self::remove_inactive_generators)), constraints beyond the limit are
     /// [eliminated](Self::eliminate_constraints), then [generators reduced](Self::reduce_generators). That needs as many generators as
-    /// dimensions and constraints together, so a limit below `n + constraints` costs further constraints.
+    /// dimensions and constraints together, so a limit below `n + constraints` costs further constraints. Allocates nothing within
+    /// the capacity of set and workspace.
     ///
     /// **Guarantee:** superset of the set, of at most the given complexity.
     ///
@@ -48,7 +49,7 @@ impl ConstrainedZonotope {
             return Ok(());
         }
         // Each step leaves the set unchanged if it fails, and is valid by itself: the last one can only fail by overflow.
-        let before = self.clone();
+        let mut before = self.copy_into(workspace.backup.take());
         let steps = |set: &mut Self, workspace: &mut Workspace| -> Result<(), SetError> {
             set.remove_inactive_generators();
             set.rescale(workspace)?;
@@ -60,7 +61,12 @@ impl ConstrainedZonotope {
             }
             Ok(())
         };
-        steps(self, workspace).inspect_err(|_| *self = before)
+        let result = steps(self, workspace);
+        if result.is_err() {
+            core::mem::swap(self, &mut before);
+        }
+        workspace.backup = Some(before);
+        result
     }
 
     /// Encloses the set in one with at most `max_generators` generators and the same number of constraints.

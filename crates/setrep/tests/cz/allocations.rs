@@ -2,7 +2,7 @@
 
 use allocation_counter::measure;
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, Matrix, Workspace, Zonotope};
+use setrep::{Complexity, ConstrainedZonotope, Matrix, Reduction, Workspace, Zonotope};
 
 use crate::common::random::Random;
 
@@ -20,11 +20,16 @@ fn a_warm_step_allocates_nothing() {
     let noise = ConstrainedZonotope::from(Zonotope::new(&[0.0; 4], &matrix(n, 3)).unwrap());
     let (map, c) = (matrix(n, n), matrix(2, n));
     let (mut set, mut hull, mut workspace) = (start.clone(), vec![Interval::ZERO; n], Workspace::new());
+    let mut reduced = start.clone();
     let mut step = || {
         set.clone_from(&start);
         set.linear_map_in_place(&map, &mut workspace).unwrap();
         set.add_assign(&noise).unwrap();
         set.intersect_rows(&c, &[band; 2], &mut workspace).unwrap();
+        for method in [Reduction::Method4, Reduction::Girard, Reduction::Combastel, Reduction::Pca] {
+            reduced.clone_from(&set);
+            reduced.reduce(Complexity { generators: 9, constraints: 4 }, method, &mut workspace).unwrap();
+        }
         set.interval_hull_into(&mut hull, &mut workspace).unwrap();
         set.support(&[1.0, 2.0, 3.0, 4.0], &mut workspace).unwrap() + hull[0].hi()
     };
