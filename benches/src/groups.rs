@@ -23,10 +23,15 @@ fn tangents() -> Vec<[f64; 3]> {
     (0..BATCH).map(|_| [draw(3.0), draw(5.0), draw(5.0)]).collect()
 }
 
-/// One pass over all inputs, keeping every result alive.
-fn each<T: Copy, R>(inputs: &[T], operation: impl Fn(T) -> R) {
-    for &input in inputs {
-        black_box(operation(black_box(input)));
+/// Work that applies an operation to all inputs and keeps every result. Inputs are read in place: copying them through the stack
+/// would time the processor's store forwarding.
+fn each<T: 'static, R: 'static>(inputs: Vec<T>, operation: impl Fn(&T) -> R + 'static) -> impl FnMut() + 'static {
+    let mut results: Vec<R> = inputs.iter().map(&operation).collect();
+    move || {
+        for (result, input) in results.iter_mut().zip(black_box(&inputs)) {
+            *result = operation(input);
+        }
+        black_box(&results);
     }
 }
 
@@ -45,27 +50,38 @@ pub fn benches() -> Vec<Bench> {
     let peer_pairs: Vec<(Isometry2F64, Isometry2F64)> =
         peer_poses.iter().copied().zip(peer_poses.iter().rev().copied()).collect();
 
-    macro_rules! row {
-        ($name:literal, $peer:literal, $ours_in:expr, $ours:expr, $peer_in:expr, $theirs:expr) => {{
-            let (ours_in, peer_in) = ($ours_in.clone(), $peer_in.clone());
-            Bench::new($name, $peer, move || each(&ours_in, $ours), move || each(&peer_in, $theirs)).batched(BATCH)
-        }};
-    }
+    let versus = |name, ours: Box<dyn FnMut()>, peer: Box<dyn FnMut()>| {
+        Bench::new(name, "sophus_lie", ours, peer).batched(BATCH)
+    };
     vec![
-        row!("se2/exp", "sophus_lie", xis, |xi| SE2::exp(&xi), peer_xis, Isometry2F64::exp),
-        row!("se2/log", "sophus_lie", poses, |x: SE2<f64>| x.log(), peer_poses, |x: Isometry2F64| x.log()),
-        row!(
-            "se2/compose",
-            "sophus_lie",
-            pairs,
-            |(a, b): (SE2<f64>, SE2<f64>)| a.compose(&b),
-            peer_pairs,
-            |(a, b): (Isometry2F64, Isometry2F64)| a.group_mul(b)
+        versus(
+            "se2/exp",
+            Box::new(each(xis.clone(), SE2::exp)),
+            Box::new(each(peer_xis.clone(), |xi| Isometry2F64::exp(*xi))),
         ),
-        row!("se2/inverse", "sophus_lie", poses, |x: SE2<f64>| x.inverse(), peer_poses, |x: Isometry2F64| x.inverse()),
-        row!("se2/jl", "sophus_lie", xis, |xi| SE2::jl(&xi), peer_xis, Isometry2F64::left_jacobian),
-        row!("se2/jl-inv", "sophus_lie", xis, |xi| SE2::jl_inv(&xi), peer_xis, Isometry2F64::inv_left_jacobian),
-        row!("se2-interval/exp", "f64", boxes, |xi| SE2::exp(&xi), xis, |xi| SE2::exp(&xi)),
-        row!("se2-interval/jl", "f64", boxes, |xi| SE2::jl(&xi), xis, |xi| SE2::jl(&xi)),
+        versus(
+            "se2/log",
+            Box::new(each(poses.clone(), SE2::log)),
+            Box::new(each(peer_poses.clone(), Isometry2F64::log)),
+        ),
+        versus(
+            "se2/compose",
+            Box::new(each(pairs, |(a, b)| a.compose(b))),
+            Box::new(each(peer_pairs, |(a, b)| a.group_mul(*b))),
+        ),
+        versus("se2/inverse", Box::new(each(poses, SE2::inverse)), Box::new(each(peer_poses, Isometry2F64::inverse))),
+        versus(
+            "se2/jl",
+            Box::new(each(xis.clone(), SE2::jl)),
+            Box::new(each(peer_xis.clone(), |xi| Isometry2F64::left_jacobian(*xi))),
+        ),
+        versus(
+            "se2/jl-inv",
+            Box::new(each(xis.clone(), SE2::jl_inv)),
+            Box::new(each(peer_xis, |xi| Isometry2F64::inv_left_jacobian(*xi))),
+        ),
+        Bench::new("se2-interval/exp", "f64", each(boxes.clone(), SE2::exp), each(xis.clone(), SE2::exp))
+            .batched(BATCH),
+        Bench::new("se2-interval/jl", "f64", each(boxes, SE2::jl), each(xis, SE2::jl)).batched(BATCH),
     ]
 }

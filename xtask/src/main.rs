@@ -26,7 +26,7 @@ enum Command {
     Reproduce(reproduce::Arguments),
     /// Runs the tests of the whole workspace, doctests included.
     Test(test::Arguments),
-    /// Checks the house rules: crate edges, doc heads, stray unsafe, file lengths, reasons for dependencies.
+    /// Checks the rules of the project: crate edges, doc heads, stray unsafe, file lengths, reasons for dependencies.
     Tidy,
     /// Runs what continuous integration runs: fmt, clippy, tidy, rustdoc, licences, tests.
     Ci,

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The environment variable that names the folder of `data`, `itf1788` and `peers`.
+/// The environment variable that names the folder of `data` and `itf1788`.
 pub(crate) const DATA_VARIABLE: &str = "ORBITOPE_DATA";
 
 /// The root of the workspace.

@@ -88,7 +88,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         };
         done.push(Done { experiment, outcome });
     }
-    let pages: Vec<Page<'_>> = done.iter().map(page).collect();
+    let pages: Vec<Page<'_>> = pages(&done, &out);
     write_file(&out.join("index.html"), &index(&pages))?;
     println!("written to {}", out.join("index.html").display());
     if failed.is_empty() { Ok(()) } else { Err(format!("failed: {}", failed.join(", "))) }
@@ -127,12 +127,20 @@ fn agreement(output: &Output) -> String {
     )
 }
 
-fn page(done: &Done) -> Page<'_> {
-    Page {
-        name: done.experiment.name(),
-        description: done.experiment.describe(),
-        outcome: done.outcome.as_ref().map_err(Clone::clone),
-    }
+/// A page for each experiment run now, and a pointer to what an earlier run left of the others.
+fn pages<'a>(done: &'a [Done], out: &Path) -> Vec<Page<'a>> {
+    let page = |experiment: &'static dyn Experiment| {
+        let name = experiment.name();
+        let outcome = match done.iter().find(|done| done.experiment.name() == name) {
+            Some(done) => done.outcome.as_ref().map_err(Clone::clone),
+            None if out.join(name).join("report.md").is_file() => {
+                Err(format!("Not run this time; `{name}/report.md` is of an earlier run."))
+            }
+            None => return None,
+        };
+        Some(Page { name, description: experiment.describe(), outcome })
+    };
+    scenarios::all().into_iter().filter_map(page).collect()
 }
 
 fn write(folder: &Path, output: &Output) -> Result<(), String> {

@@ -1,5 +1,6 @@
 //! What can go wrong in a filter, with the numbers that say where.
 
+use lie_groups::GroupError;
 use setrep::SetError;
 use thiserror::Error;
 
@@ -103,6 +104,9 @@ pub enum EstimatorError {
     /// A set operation refused its input.
     #[error(transparent)]
     Set(#[from] SetError),
+    /// A group operation failed.
+    #[error(transparent)]
+    Group(#[from] GroupError),
 }
 
 /// `Ok` if all entries are finite.

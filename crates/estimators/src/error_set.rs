@@ -7,8 +7,11 @@ use nalgebra::{DMatrix, SMatrix, SVector};
 use setrep::{Matrix, Reduction, SetError, Workspace, Zonotope};
 
 use crate::EstimatorError;
-use crate::error::check_size;
+use crate::error::{check_finite, check_size};
 use crate::gain::{Gain, f_radius_gain, place};
+
+/// Up to this order memory is reserved beforehand, so that no step allocates; beyond it sets grow as they need to.
+const RESERVED_ORDER: usize = 4096;
 
 /// A placed gain with the pair it belongs to.
 #[derive(Debug, Clone)]
@@ -76,7 +79,8 @@ impl<const N: usize, const M: usize> ErrorSet<N, M> {
             if order < N {
                 return Err(SetError::TooFewGenerators { max_generators: order, dim: N }.into());
             }
-            let columns = order + N + self.process.cols() + self.output.cols();
+            // An order that no run reaches must not reserve memory that no run needs.
+            let columns = order.min(RESERVED_ORDER) + N + self.process.cols() + self.output.cols();
             self.current.reserve_generators(columns.saturating_sub(self.current.num_generators()));
             self.next.reserve_generators(columns.saturating_sub(self.next.num_generators()));
         }
@@ -111,7 +115,10 @@ impl<const N: usize, const M: usize> ErrorSet<N, M> {
                 self.next.covariation_into(&mut self.covariation);
                 f_radius_gain(a, &self.covariation.to_smatrix()?, c, q_v)
             }
-            Gain::Fixed(gain) => Ok(*gain),
+            Gain::Fixed(gain) => {
+                check_finite("fixed gain", gain.as_slice())?;
+                Ok(*gain)
+            }
             Gain::Poles(_) if !whole_step => Err(EstimatorError::GainNeedsInput),
             Gain::Poles(poles) => match &self.placed {
                 Some(placed) if placed.a == *a && placed.c == *c => Ok(placed.gain),

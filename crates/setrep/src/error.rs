@@ -147,6 +147,14 @@ pub enum SetError {
         /// The limit.
         limit: u64,
     },
+    /// An exact enumeration was asked of a set in more dimensions than its tables cover.
+    #[error("{dim} dimensions exceed the limit of {limit} of an exact enumeration")]
+    TooManyDimensions {
+        /// Dimension of the set.
+        dim: usize,
+        /// The limit.
+        limit: usize,
+    },
     /// An operation of the plane was asked of a set elsewhere.
     #[error("a planar operation on a set of dimension {dim}")]
     NotPlanar {

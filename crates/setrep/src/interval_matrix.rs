@@ -122,10 +122,14 @@ impl IntervalMatrix {
     /// **Source:** Rump 1999; Rump 2012 for the rounding.
     ///
     /// # Errors
-    /// [`SetError::Dimension`], [`SetError::Overflow`].
+    /// [`SetError::Dimension`], [`SetError::Overflow`], [`SetError::ZeroDimension`] for factors that share no dimension (`n = 0`).
     pub fn mul(&self, other: &Self) -> Result<Self, SetError> {
         let (p, n, q) = (self.rows(), self.cols(), other.cols());
         SetError::check_size(Part::Map, n, other.rows())?;
+        if n == 0 {
+            // Without entries nothing bounds p and q, and the product may not fit in memory.
+            return Err(SetError::ZeroDimension { part: Part::Map });
+        }
         let gamma = gamma(n);
         let right = other.mid.as_slice().iter().zip(other.rad.as_slice());
         let rounded: Vec<f64> = right

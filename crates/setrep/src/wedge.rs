@@ -9,6 +9,8 @@ use core::ops::ControlFlow;
 
 use scalars::Scalar;
 
+use crate::SetError;
+
 /// One term of the expansion: target component, source component, row, and whether it is subtracted.
 #[derive(Debug, Clone, Copy)]
 struct Term {
@@ -106,11 +108,11 @@ const MAX_DIM: usize = 14;
 
 /// Number of `k`-subsets of `m` columns in `R^n`, saturating; saturated where the dimension is too large for the tables.
 pub(crate) fn subset_count(n: usize, m: usize, k: usize) -> u64 {
-    if n > MAX_DIM {
-        return u64::MAX;
-    }
     if k > m {
         return 0;
+    }
+    if n > MAX_DIM {
+        return u64::MAX;
     }
     let mut count: u128 = 1;
     for i in 0..k {
@@ -120,6 +122,15 @@ pub(crate) fn subset_count(n: usize, m: usize, k: usize) -> u64 {
         }
     }
     count as u64
+}
+
+/// Refuses more than `limit` of the `k`-subsets of `m` columns in `R^n`, and dimensions too large for the tables.
+pub(crate) fn check_subsets(n: usize, m: usize, k: usize, limit: u64) -> Result<u64, SetError> {
+    match subset_count(n, m, k) {
+        subsets if subsets <= limit => Ok(subsets),
+        _ if n > MAX_DIM => Err(SetError::TooManyDimensions { dim: n, limit: MAX_DIM }),
+        subsets => Err(SetError::TooManySubsets { subsets, limit }),
+    }
 }
 
 /// The `d`-subsets of `0..n` as bit masks, ascending.

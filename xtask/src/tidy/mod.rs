@@ -1,4 +1,4 @@
-//! `tidy`: the house rules that a compiler does not check.
+//! `tidy`: the rules of the project that a compiler does not check.
 
 mod edges;
 mod reasons;

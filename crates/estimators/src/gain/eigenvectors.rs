@@ -158,8 +158,12 @@ fn raise_two(
     let skew = skew_normal(&others(x, &[i.min(j), i.max(j)]));
     let now = x.column(i).dot(&(&skew * x.column(j))).abs();
     let form = s_i.tr_mul(&(skew * s_j));
-    let svd = SVD::try_new(form, true, true, f64::EPSILON, MAX_ITERATIONS)
-        .ok_or(EstimatorError::NoConvergence { what: "singular values in pole placement" })?;
+    let failed = EstimatorError::NoConvergence { what: "singular values in pole placement" };
+    // nalgebra's SVD panics on NaN.
+    if form.iter().any(|v| !v.is_finite()) {
+        return Err(failed);
+    }
+    let svd = SVD::try_new(form, true, true, f64::EPSILON, MAX_ITERATIONS).ok_or(failed)?;
     let gained = growth(now, svd.singular_values[0]);
     if let (true, Some(u), Some(vt)) = (gained > 0.0, &svd.u, &svd.v_t) {
         x.set_column(i, &(s_i * u.column(0)));

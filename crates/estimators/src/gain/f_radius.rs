@@ -3,6 +3,7 @@
 use nalgebra::{Cholesky, SMatrix};
 
 use crate::EstimatorError;
+use crate::error::check_finite;
 
 /// Smallest accepted ratio of a squared Cholesky pivot of `S` to the diagonal entry it came from.
 const PIVOT_LIMIT: f64 = 1e-13;
@@ -15,8 +16,9 @@ const PIVOT_LIMIT: f64 = 1e-13;
 /// **Source:** paper 000, (12); Combastel 2015.
 ///
 /// # Errors
+/// [`EstimatorError::NotFinite`] if `S` is not finite: an argument is not, or its products overflow.
 /// [`EstimatorError::SingularInnovation`] if `S` is not positive definite to working accuracy: a combination of outputs with
-/// neither noise nor spread, or an entry that is not finite.
+/// neither noise nor spread.
 ///
 /// ```
 /// use estimators::f_radius_gain;
@@ -34,6 +36,7 @@ pub fn f_radius_gain<const N: usize, const M: usize>(
 ) -> Result<SMatrix<f64, N, M>, EstimatorError> {
     let seen = c * p;
     let s = seen * c.transpose() + q_v;
+    check_finite("innovation covariation S", s.as_slice())?;
     let singular = |pivot_ratio| EstimatorError::SingularInnovation { outputs: M, pivot_ratio, limit: PIVOT_LIMIT };
     let factor = Cholesky::new(s).ok_or(singular(0.0))?;
     let l = factor.l_dirty();

@@ -19,7 +19,7 @@ pub enum Gain<const N: usize, const M: usize> {
     FRadius,
     /// The gain that gives `A - L C` these eigenvalues, paper 000 Theorem 3.2. Recomputed only when `A` or `C` changes.
     ///
-    /// It acts on a whole step; [`Estimator::update`](crate::EstimatorError) alone returns
+    /// It acts on a whole step; [`Estimator::update`](crate::Estimator::update) alone returns
     /// [`GainNeedsInput`](crate::EstimatorError::GainNeedsInput).
     Poles([Complex<f64>; N]),
     /// This gain, always: `L` in a step, `K` in an update alone.

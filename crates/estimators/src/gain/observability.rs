@@ -29,10 +29,11 @@ use crate::error::{check_finite, check_size};
 /// ```
 pub fn observability_rank(a: &DMatrix<f64>, c: &DMatrix<f64>) -> Result<usize, EstimatorError> {
     let n = check_pair(a, c)?;
+    let (a, c) = (a / binade(largest(a)), c / binade(largest(c)));
     let tolerance = (n * n) as f64 * 2f64.powi(-48);
     let a_norm = a.norm();
     let mut basis: Vec<DVector<f64>> = Vec::with_capacity(n);
-    for row in pivoted_rows(c, tolerance) {
+    for row in pivoted_rows(&c, tolerance) {
         basis.push(row);
     }
     let mut next = 0;
@@ -54,6 +55,18 @@ pub(super) fn check_pair(a: &DMatrix<f64>, c: &DMatrix<f64>) -> Result<usize, Es
     check_finite("A", a.as_slice())?;
     check_finite("C", c.as_slice())?;
     Ok(n)
+}
+
+/// Largest entry, by absolute value.
+pub(super) fn largest(matrix: &DMatrix<f64>) -> f64 {
+    matrix.iter().fold(0.0, |m, x| m.max(x.abs()))
+}
+
+/// The power of two at or below a finite positive number (1 for zero): dividing by it scales exactly, and afterwards squares
+/// neither over- nor underflow where it matters.
+pub(super) fn binade(x: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    if x == 0.0 { 1.0 } else { f64::from_bits(x.max(f64::MIN_POSITIVE).to_bits() & EXPONENT) }
 }
 
 /// Orthonormal basis of the row space of `C`, largest remaining row first.

@@ -3,9 +3,10 @@
 use nalgebra::{Complex, DMatrix, SVD};
 
 use super::eigenvectors;
-use super::observability::{check_pair, observability_rank};
+use super::observability::{binade, check_pair, largest, observability_rank};
 use super::poles::{Pole, pair_up};
 use crate::EstimatorError;
+use crate::error::check_finite;
 
 /// Largest accepted distance of an eigenvalue to its pole, relative to `|A| + max |pole|`.
 const TOLERANCE: f64 = 1e-8;
@@ -22,7 +23,7 @@ const TOLERANCE: f64 = 1e-8;
 /// **Source:** Tits and Yang 1996, Kautsky, Nichols and Van Dooren 1985; used by paper 000, Theorem 3.2.
 ///
 /// # Errors
-/// - [`EstimatorError::Size`], [`EstimatorError::NotFinite`]: `A`, `C` or a pole;
+/// - [`EstimatorError::Size`], [`EstimatorError::NotFinite`]: `A`, `C` or a pole, or a gain that overflows;
 /// - [`EstimatorError::NotObservable`]: the pair, with the rank found;
 /// - [`EstimatorError::PoleCount`], [`EstimatorError::PoleNotConjugate`], [`EstimatorError::PoleMultiplicity`]: the list;
 /// - [`EstimatorError::PlacementInaccurate`]: the pair is so close to unobservable, or the poles so close to repeated too
@@ -49,20 +50,38 @@ pub fn place(a: &DMatrix<f64>, c: &DMatrix<f64>, poles: &[Complex<f64>]) -> Resu
         pair_up(poles, 0, 0)?;
         return Ok(DMatrix::zeros(0, c.nrows()));
     }
-    let outputs = Outputs::of(c)?;
+    // With A, the poles and C divided by powers of two the gain scales with them: L = L' s_A / s_C.
+    let s_c = binade(largest(c));
+    let c = c / s_c;
+    let outputs = Outputs::of(&c)?;
     let poles = pair_up(poles, n, outputs.rank)?;
-    let blocks = block_diagonal(&poles, n);
+    let s_a = binade(largest(a).max(largest_pole(&poles)));
+    let (a, poles) = (a / s_a, scaled(poles, s_a));
+    let gain = place_scaled(&a, &c, &outputs, &poles)? * s_a / s_c;
+    check_finite("placed gain", gain.as_slice())?;
+    Ok(gain)
+}
+
+/// [`place`] for an observable pair whose largest entries are about 1.
+fn place_scaled(
+    a: &DMatrix<f64>,
+    c: &DMatrix<f64>,
+    outputs: &Outputs,
+    poles: &[Pole],
+) -> Result<DMatrix<f64>, EstimatorError> {
+    let n = a.nrows();
+    let blocks = block_diagonal(poles, n);
     let vectors =
-        if outputs.rank == n { DMatrix::identity(n, n) } else { eigenvectors::choose(a, &outputs.hidden, &poles)? };
-    let inaccurate = |error| EstimatorError::PlacementInaccurate { error, tolerance: TOLERANCE };
+        if outputs.rank == n { DMatrix::identity(n, n) } else { eigenvectors::choose(a, &outputs.hidden, poles)? };
+    let tolerance = TOLERANCE * (a.norm() + largest_pole(poles));
+    let inaccurate = |error| EstimatorError::PlacementInaccurate { error, tolerance };
     // N' = X^-T D' X' is the closed loop wanted; it differs from A only within the reach of L C.
     let closed =
         vectors.transpose().lu().solve(&(blocks.tr_mul(&vectors.transpose()))).ok_or(inaccurate(f64::INFINITY))?;
-    let gain = (a - closed) * outputs.inverse;
+    let gain = (a - closed) * &outputs.inverse;
     let reached = (a - &gain * c).tr_mul(&vectors);
     let error = (vectors.lu().solve(&reached).ok_or(inaccurate(f64::INFINITY))? - &blocks).norm();
-    let tolerance = TOLERANCE * (a.norm() + largest(&poles));
-    if error <= tolerance { Ok(gain) } else { Err(EstimatorError::PlacementInaccurate { error, tolerance }) }
+    if error <= tolerance { Ok(gain) } else { Err(inaccurate(error)) }
 }
 
 /// What `C` sees and what it does not.
@@ -111,8 +130,17 @@ fn block_diagonal(poles: &[Pole], n: usize) -> DMatrix<f64> {
     d
 }
 
+/// The poles divided by `s`.
+fn scaled(poles: Vec<Pole>, s: f64) -> Vec<Pole> {
+    let divide = |pole| match pole {
+        Pole::Real(l) => Pole::Real(l / s),
+        Pole::Pair(l) => Pole::Pair(l / s),
+    };
+    poles.into_iter().map(divide).collect()
+}
+
 /// Largest modulus.
-fn largest(poles: &[Pole]) -> f64 {
+fn largest_pole(poles: &[Pole]) -> f64 {
     poles.iter().fold(0.0, |m, pole| match pole {
         Pole::Real(l) => m.max(l.abs()),
         Pole::Pair(l) => m.max(l.norm()),

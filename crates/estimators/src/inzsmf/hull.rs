@@ -14,14 +14,14 @@ where
 {
     /// First-order box of the world position `X . p` of a body point, `p = 0` for the position itself (approximate).
     ///
-    /// `Xhat . p +- sum_j |K g_j|` over the generators `g_j`, with `K = R J(p)` (left) or `J(Xhat . p)` (right): the exponential is
+    /// `Xhat . p +- (sum_j |K g_j| + |K| r)` over the generators `g_j` and the remainder `r`, with `K = R J(p)` (left) or `J(Xhat . p)` (right): the exponential is
     /// replaced by its linear part, as in paper 000's AAR. Plain floating point.
     ///
     /// **Guarantee:** none: a wide heading moves the position outside; [`world_hull`](Self::world_hull) is the enclosure.
-    pub fn hull_linear(&self, p: &SVector<f64, D>) -> [Interval; D] {
+    pub fn world_hull_approx(&self, p: &SVector<f64, D>) -> [Interval; D] {
         let jacobian = Side::point_jacobian(self.estimate(), p);
         let center = self.estimate().act(p);
-        let mut radii = SVector::<f64, D>::zeros();
+        let mut radii = jacobian.abs() * SVector::<f64, N>::from_column_slice(self.tangent_set().remainder());
         for generator in self.tangent_set().generators().columns() {
             radii += (jacobian * SVector::<f64, N>::from_column_slice(generator)).abs();
         }

@@ -147,7 +147,7 @@ fn a_singular_innovation() {
 
     let nan =
         f_radius_gain(&Matrix2::identity(), &Matrix2::from_element(f64::NAN), &Matrix2::identity(), &Matrix2::zeros());
-    assert!(matches!(nan, Err(EstimatorError::SingularInnovation { .. })));
+    assert!(matches!(nan, Err(EstimatorError::NotFinite { .. })));
 }
 
 /// A vehicle at rest: its heading is not observable from its position, and the error says so.
@@ -287,4 +287,59 @@ fn orders_below_the_dimension() {
     assert_eq!(error, EstimatorError::Set(SetError::TooFewGenerators { max_generators: 2, dim: 3 }));
     let error = vehicle_zsmf([0.0; 3], [1.0; 3]).with_reduction(Reduction::Girard, 0).unwrap_err();
     assert_eq!(error, EstimatorError::Set(SetError::TooFewGenerators { max_generators: 0, dim: 3 }));
+}
+
+/// Inputs of any finite size give a gain or a typed error, and observability does not depend on scale.
+#[test]
+fn huge_and_tiny_pairs_are_placed_or_refused() {
+    let c = DMatrix::from_row_slice(2, 3, &[0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+    let poles = [0.95, 0.98, 0.98];
+    for s in [1e-300, 1e-160, 1e100, 1e154, 1e160, 1e200, 1e300] {
+        // Without scale, A and the poles scale together: so does the gain.
+        let a = DMatrix::from_row_slice(3, 3, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.004, 0.08, -0.004, 1.0]);
+        let gain = place(&a, &c, &poles.map(|re| Complex::new(re, 0.0))).unwrap();
+        let scaled = place(&(&a * s), &c, &poles.map(|re| Complex::new(re * s, 0.0))).unwrap();
+        assert!((scaled / s - &gain).norm() < 1e-9 * gain.norm(), "{s:e}");
+        // One huge or tiny entry among ordinary ones: either answer is fine, a panic is not.
+        let mut lopsided = a.clone();
+        lopsided[(2, 0)] = s;
+        let _ = place(&lopsided, &c, &poles.map(|re| Complex::new(re, 0.0)));
+        let one = DMatrix::identity(1, 1);
+        assert_eq!(observability_rank(&one, &(&one * s)).unwrap(), 1, "{s:e}");
+    }
+}
+
+/// A step of 1e154 m with placed poles: typed error or result, and after an error the filter is as it was.
+#[test]
+fn a_huge_increment_does_not_panic() {
+    for advance in [1e100, 1e153, 1e154, 1e160, 1e300] {
+        let mut filter =
+            vehicle_inzsmf([0.3, 1.0, 0.0], [0.5, 2.0, 2.0]).with_gain(Gain::real_poles([0.95, 0.98, 0.98]));
+        let before = filter.bits();
+        if filter.step(&Vector3::new(0.004, advance, 0.0), &[1.0, 0.0]).is_err() {
+            assert_eq!(filter.bits(), before, "{advance:e}");
+        }
+    }
+}
+
+/// "Practically no reduction" reserves no memory for it.
+#[test]
+fn an_order_beyond_all_memory_is_fine() {
+    for order in [1 << 40, usize::MAX] {
+        let mut filter =
+            vehicle_inzsmf([0.3, 1.0, 0.0], [0.5, 2.0, 2.0]).with_reduction(Reduction::Combastel, order).unwrap();
+        filter.step(&increment(), &[0.0, 0.0]).unwrap();
+    }
+}
+
+/// The culprit is named: a gain that is not finite, and a set so large that its covariation overflows.
+#[test]
+fn errors_name_the_culprit() {
+    let mut fixed =
+        vehicle_inzsmf([0.3, 1.0, 0.0], [0.5, 2.0, 2.0]).with_gain(Gain::Fixed(SMatrix::from_element(f64::NAN)));
+    let error = fixed.step(&increment(), &[0.0, 0.0]).unwrap_err();
+    assert!(matches!(error, EstimatorError::NotFinite { what: "fixed gain", .. }), "{error}");
+    let huge = SMatrix::<f64, 1, 1>::new(1e300);
+    let error = f_radius_gain(&huge, &huge, &huge, &huge).unwrap_err();
+    assert!(matches!(error, EstimatorError::NotFinite { .. }), "{error}");
 }

@@ -46,7 +46,7 @@ fn the_invariant_filter_has_the_reference_widths() {
             filter.step(&increment(), y.as_slice()).unwrap();
             truth.advance();
             width += filter.tangent_set().interval_hull()[0].width();
-            let hull = filter.hull_linear(&Vector2::zeros());
+            let hull = filter.world_hull_approx(&Vector2::zeros());
             area += hull[0].width() * hull[1].width();
             square += heading_error(&truth, filter.estimate().rotation().angle().unwrap()).powi(2);
         }

@@ -25,9 +25,9 @@ const PLAUSIBLE: [(f64, f64); 7] =
 pub struct Sample {
     /// Time, strictly increasing along a log.
     pub time_s: f64,
-    /// Yaw rate from the gyro.
+    /// Yaw rate from the gyro, over the interval since the sample before.
     pub gyro_rad_s: f64,
-    /// Forward speed from the wheels.
+    /// Forward speed from the wheels, over the interval since the sample before.
     pub forward_m_s: f64,
     /// Lateral speed from the wheels (zero in these logs).
     pub lateral_m_s: f64,

@@ -48,9 +48,12 @@ fn full_turns(turns: f64) -> Interval {
     Interval::PI.scale(2.0).scale(turns)
 }
 
+/// Turns looked at to either side: a set that reaches farther says nothing about the heading, and the turns near zero decide.
+const MOST_TURNS: i32 = 64;
+
 /// The heading and its shifts by full turns that may lie in `[-reach, reach]`; the heading itself first.
 fn branches(heading: Interval, reach_rad: f64) -> impl Iterator<Item = Interval> {
-    let most = (reach_rad / std::f64::consts::TAU + 0.5).ceil() as i32;
+    let most = ((reach_rad / std::f64::consts::TAU + 0.5).ceil() as i32).min(MOST_TURNS);
     let shifts = (1..=most).flat_map(|turns| [turns, -turns]).map(f64::from);
     let shifted = shifts.map(move |turns| heading + full_turns(turns)).filter(move |h| h.mig() <= reach_rad);
     std::iter::once(heading).chain(shifted)

@@ -125,8 +125,12 @@ fn courses(context: &Context<'_>, scale: &Scale, contenders: &[Contender]) -> Re
 fn timings(context: &Context<'_>, contenders: &[Contender]) -> Result<Vec<Row>, ScenarioError> {
     let truth = study::truth_of(context, NoiseKind::Uniform, STEPS, 0)?;
     let mut times = Vec::new();
-    for contender in contenders.iter().filter(|contender| !contender.method.ends_with("world-box")) {
-        times.push((contender, study::step_time_s(&truth, contender, TABLE_II_CASE)?));
+    for case in 0..TABLE_I.len() {
+        let plain = |method: &str| ["zsmf", "inzsmf"].contains(&method);
+        let placed = |method: &str| case == TABLE_II_CASE && method.ends_with("/pole");
+        for contender in contenders.iter().filter(|c| plain(&c.method) || placed(&c.method)) {
+            times.push((case, contender, study::step_time_s(&truth, contender, case)?));
+        }
     }
-    Ok(tables::timings(TABLE_II_CASE, &times))
+    Ok(tables::timings(&times))
 }

@@ -207,7 +207,7 @@ impl Tracker for SoundInZsmf {
     fn widths(&self) -> [f64; 3] {
         let mut hull = [Interval::ZERO; 3];
         let failed = self.filter.tangent_set().interval_hull_into(&mut hull).is_err();
-        let [x1, x2] = self.filter.hull_linear(&Vector2::zeros());
+        let [x1, x2] = self.filter.world_hull_approx(&Vector2::zeros());
         if failed { [f64::INFINITY; 3] } else { [hull[0].width(), x1.width(), x2.width()] }
     }
 }

@@ -88,14 +88,19 @@ fn containment_rows(tally: &Tally) -> [Row; 4] {
 
 /// Wall-clock time of one step, in the rows of `timings.json`: `ART` in s beside the paper's, and `ns_per_step`.
 #[must_use]
-pub fn timings(case: usize, times: &[(&Contender, f64)]) -> Vec<Row> {
-    let rows = |&(contender, seconds): &(&Contender, f64)| {
+pub fn timings(times: &[(usize, &Contender, f64)]) -> Vec<Row> {
+    let rows = |&(case, contender, seconds): &(usize, &Contender, f64)| {
         let row = |metric, unit| {
             Row::new("ART", TABLE_I[case].label, &*contender.method).mode(contender.mode).metric(metric, unit)
         };
         let art = row("ART", "s").value(seconds);
-        let paper = TABLE_II.iter().find(|paper| paper.0 == contender.method);
-        [paper.map_or(art.clone(), |paper| art.paper_ref(paper.1)), row("ns_per_step", "ns").value(1e9 * seconds)]
+        let of_table_ii = || TABLE_II.iter().find(|paper| paper.0 == contender.method).map(|paper| paper.1);
+        let paper = match &*contender.method {
+            "zsmf" => Some(TABLE_I[case].paper_step_time_s[0]),
+            "inzsmf" => Some(TABLE_I[case].paper_step_time_s[1]),
+            _ => of_table_ii(),
+        };
+        [paper.map_or(art.clone(), |paper| art.paper_ref(paper)), row("ns_per_step", "ns").value(1e9 * seconds)]
     };
     times.iter().flat_map(rows).collect()
 }

@@ -16,7 +16,7 @@ pub fn figure(course: &Course, study: &Study) -> Figure {
     let title = format!("Robot log {}, first heading off by {} degrees", course.number, HEADING_ERRORS_DEG[DRAWN]);
     Figure::new(format!("log-{}", course.number), title, 2)
         .with(map(course, study))
-        .with(heading_error(study, "heading error and bounds", &Method::ALL))
+        .with(heading_error(study))
         .with(rms(study, "position error", "RMS over the draws [m]", |step| {
             step.position_error[0].hypot(step.position_error[1])
         }))
@@ -25,15 +25,6 @@ pub fn figure(course: &Course, study: &Study) -> Figure {
             (step.widths[1] * step.widths[2]).sqrt()
         }))
         .with(containment(study))
-}
-
-/// Heading error and its bounds alone, for the two filters of the paper.
-#[must_use]
-pub fn heading(course: &Course, study: &Study) -> Figure {
-    let title = format!("Robot log {}: heading error and its bounds", course.number);
-    let panel = format!("first heading off by {} degrees (dashed: bounds)", HEADING_ERRORS_DEG[DRAWN]);
-    let panel = heading_error(study, &panel, &[Method::Zsmf, Method::InZsmf]);
-    Figure::new("heading", title, 1).with(panel)
 }
 
 /// What the figure of a log shows, in a line.
@@ -71,9 +62,9 @@ fn map(course: &Course, study: &Study) -> Panel {
     })
 }
 
-fn heading_error(study: &Study, title: &str, methods: &[Method]) -> Panel {
-    let panel = Panel::new(title, "t [s]", "heading error [rad]").y_range(-3.2, 3.2);
-    methods.iter().fold(panel, |panel, &method| {
+fn heading_error(study: &Study) -> Panel {
+    let panel = Panel::new("heading error and bounds", "t [s]", "heading error [rad]").y_range(-3.2, 3.2);
+    Method::ALL.into_iter().fold(panel, |panel, method| {
         let curve = |value: fn(&Step) -> f64| {
             first_run(study, method).iter().enumerate().map(move |(k, step)| (time_s(k), value(step)))
         };

@@ -11,7 +11,7 @@ pub mod study;
 use std::time::Instant;
 
 use crate::data::wifibot::load;
-use crate::{Context, Experiment, Figure, Output, Results, Row, ScenarioError};
+use crate::{Context, Experiment, Output, Results, Row, ScenarioError};
 use filters::Method;
 use odometry::Course;
 use study::Study;
@@ -46,8 +46,7 @@ impl Experiment for WifibotExperiment {
             timings.extend(time(&course, &study)?);
             studies.push((course, study));
         }
-        let mut figures: Vec<Figure> = studies.iter().map(|(course, study)| figures::figure(course, study)).collect();
-        figures.extend(studies.first().map(|(course, study)| figures::heading(course, study)));
+        let figures = studies.iter().map(|(course, study)| figures::figure(course, study)).collect();
         let report = report::report(&studies, &results, &timings);
         Ok(Output { results, timings, report, figures, curves: Vec::new() })
     }

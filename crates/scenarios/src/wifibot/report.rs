@@ -45,11 +45,11 @@ const METRICS: [Metric; 10] = [
     ("RMSE(theta)", "rad", |run| run.whole.rmse_heading),
     ("RMSE(x)", "m", |run| run.whole.rmse_position),
     ("AAR(theta)", "rad", |run| run.whole.aar_heading),
-    ("AAR(x)", "m^2", |run| run.whole.aar_position),
+    ("AAR(x)/world-hull", "m^2", |run| run.whole.aar_position),
     ("RMSE(theta)@20..", "rad", |run| run.settled.rmse_heading),
     ("RMSE(x)@20..", "m", |run| run.settled.rmse_position),
     ("AAR(theta)@20..", "rad", |run| run.settled.aar_heading),
-    ("AAR(x)@20..", "m^2", |run| run.settled.aar_position),
+    ("AAR(x)/world-hull@20..", "m^2", |run| run.settled.aar_position),
     ("containment", "", |run| run.containment),
     ("contained_proven", "", |run| run.contained_proven),
 ];
@@ -99,13 +99,18 @@ fn settings(studies: &[(Course, Study)], runs: usize) -> Vec<String> {
         ),
         format!("Gain: F-radius optimal. Order reduction: {reduction:?} to {order} generators, a valid enclosure. Mode `sound`: the terms of second order are dropped."),
         "`inzsmf/transport` moves the set to the coordinates of the corrected estimate; `inzsmf` leaves it where the paper leaves it.".to_owned(),
-        "Hull: of ZSMF the interval hull; of InZSMF a superset of the positions of all poses of the set, so that a wide heading shows in the position and its `AAR(x)` is not that of ZSMF.".to_owned(),
+        "Hull: of ZSMF the interval hull; of InZSMF a superset of the positions of all poses of the set, so that a wide heading shows in the position and its `AAR(x)/world-hull` is not the first-order `AAR(x)` of paper 000.".to_owned(),
         "Truth: the reference, taken as exact (motion capture is good to less than a millimetre). So `containment` is about the reference pose, and the errors \
          of the reference count as errors of the odometry."
             .to_owned(),
         "A step counts as lost if the reference, in every full turn of its heading, is proven outside the set."
             .to_owned(),
     ];
+    settings.push(
+        "Odometry: speed and rate of a sample hold over the interval that ends with it (in the logs, speed times interval is smooth and the \
+         speed alone is not)."
+            .to_owned(),
+    );
     settings.extend(studies.iter().map(|(course, _)| {
         let [turn, x1, x2] = course.worst();
         let [bound_turn, bound_x1, bound_x2] = course.bounds().map(|bound| significant(bound, 3));

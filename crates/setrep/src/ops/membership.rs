@@ -12,6 +12,9 @@ use crate::{Part, SetError, Zonotope};
 /// Most facet normals, `C(ng + n, n - 1)`, that [`Zonotope::membership`] and [`Zonotope::gauge_approx`] enumerate.
 pub const FACET_LIMIT: u64 = 1_000_000;
 
+/// Most interval products that one query spends on facets which floating point does not decide: about a second.
+const EXACT_WORK: u64 = 100_000_000;
+
 /// Magnitudes below this leave the fast filter, whose error bounds do not count underflow.
 const SAFE_MAGNITUDE: f64 = 1e-250;
 
@@ -36,7 +39,8 @@ impl Zonotope {
     ///
     /// **Guarantee:** both proofs hold for the exact set and every point of `P`. Points nearer to the boundary than rounding are
     /// [`Undecided`](Membership::Undecided); so are points that only the facets could decide when there are more than
-    /// [`FACET_LIMIT`] of them or 14 dimensions, or (`n >= 4`) beside facets whose generators are linearly dependent.
+    /// [`FACET_LIMIT`] of them or 14 dimensions, or (`n >= 4`) beside facets whose generators are linearly dependent. Facets too close
+    /// for floating point go to interval arithmetic up to `10^8` products a query and count as undecided beyond it.
     ///
     /// # Errors
     /// [`SetError::Dimension`]; [`SetError::UnboundedInterval`] for an empty or unbounded side.
@@ -74,11 +78,14 @@ impl Zonotope {
         let norms: Vec<f64> = directions.chunks_exact(n).map(|g| g.iter().map(|x| x.abs()).sum()).collect();
         let mut exact = Wedge::<Interval>::new(n, n - 1);
         let (mut normal, mut enclosure) = (vec![0.0; n], vec![Interval::ZERO; n]);
+        // An exterior product of n - 1 columns costs about n 2^(n-1) products; the dimension is at most 14 here.
+        let mut exact_facets = EXACT_WORK / ((n as u64) << (n - 1));
         let mut verdict = Membership::ProvenInside;
         Wedge::<f64>::new(n, n - 1).for_each(directions, &mut |subset, minors| {
             normal_from_minors(minors, &mut normal);
             let mut side = self.side_by_floats(query, &normal, product_error(subset, &norms));
-            if side == Membership::Undecided {
+            if side == Membership::Undecided && exact_facets > 0 {
+                exact_facets -= 1;
                 normal_from_minors(exact.of(directions, subset), &mut enclosure);
                 side = self.side_by_intervals(query, &enclosure);
             }

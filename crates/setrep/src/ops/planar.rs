@@ -3,7 +3,7 @@
 use crate::{Matrix, SetError, Zonotope};
 
 impl Zonotope {
-    /// Vertices of a set in the plane, counterclockwise from the lowest, each once; a segment has two, a point one.
+    /// Vertices of a set in the plane (approximate), counterclockwise from the lowest, each once; a segment has two, a point one.
     ///
     /// With the generators turned into the upper half-plane and sorted by angle, the boundary runs from the sum of all `-g_j` through
     /// partial sums. The box remainder counts as generators.
@@ -26,7 +26,7 @@ impl Zonotope {
         Ok(polygon([self.center[0], self.center[1]], &sorted_by_angle(&self.all_generators())))
     }
 
-    /// Outline of the projection onto the coordinates `(i, j)`, closed (the first vertex comes again at the end).
+    /// Outline of the projection onto the coordinates `(i, j)` (approximate), closed (the first vertex comes again at the end).
     ///
     /// Approximate, as [`vertices_2d`](Self::vertices_2d).
     ///

@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 use scalars::Interval;
 
 use super::planar::sorted_by_angle;
-use crate::wedge::{Wedge, subset_count};
+use crate::wedge::{Wedge, check_subsets};
 use crate::{SetError, Zonotope};
 
 /// Most `n`-subsets of generators that [`Zonotope::volume`] enumerates.
@@ -21,7 +21,7 @@ impl Zonotope {
     /// **Source:** Shephard 1974; Gover and Krikorian 2010.
     ///
     /// # Errors
-    /// [`SetError::TooManySubsets`] beyond [`MINOR_LIMIT`] minors (not in the plane) or 14 dimensions.
+    /// [`SetError::TooManySubsets`] beyond [`MINOR_LIMIT`] minors (not in the plane), [`SetError::TooManyDimensions`] beyond 14.
     ///
     /// ```
     /// # use setrep::{Matrix, Zonotope};
@@ -40,10 +40,7 @@ impl Zonotope {
 
 /// `sum_J |det G_J|` over the `n`-subsets of the columns.
 fn minor_sum(n: usize, columns: &[f64]) -> Result<Interval, SetError> {
-    let subsets = subset_count(n, columns.len() / n, n);
-    if subsets > MINOR_LIMIT {
-        return Err(SetError::TooManySubsets { subsets, limit: MINOR_LIMIT });
-    }
+    let subsets = check_subsets(n, columns.len() / n, n, MINOR_LIMIT)?;
     let mut sum = Interval::ZERO;
     if subsets > 0 {
         Wedge::<Interval>::new(n, n).for_each(columns, &mut |_, minors| {

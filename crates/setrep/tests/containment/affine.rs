@@ -1,3 +1,5 @@
+//! Containment of exact images: affine.
+
 use setrep::Zonotope;
 
 use crate::SEED;

@@ -1,3 +1,5 @@
+//! Containment of exact images: bounds.
+
 use crate::SEED;
 use crate::common::dyadic::Dyadic;
 use crate::common::exact::{member, support};

@@ -1,3 +1,5 @@
+//! Containment of exact images: interval map.
+
 use setrep::{IntervalMatrix, Matrix, Zonotope};
 
 use crate::SEED;

@@ -1,3 +1,5 @@
+//! Containment of exact images: linear map.
+
 use setrep::{Matrix, Workspace, Zonotope};
 
 use crate::SEED;

@@ -1,3 +1,5 @@
+//! Containment of exact images: membership.
+
 use setrep::{IntervalVector, Matrix, Membership, Zonotope};
 
 use crate::SEED;

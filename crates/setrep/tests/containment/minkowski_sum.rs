@@ -1,3 +1,5 @@
+//! Containment of exact images: minkowski sum.
+
 use setrep::Zonotope;
 
 use crate::SEED;

@@ -1,3 +1,5 @@
+//! Containment of exact images: reduction.
+
 use setrep::{Matrix, Reduction, Workspace, Zonotope};
 
 use crate::SEED;

@@ -1,3 +1,5 @@
+//! Containment of exact images: volume.
+
 use std::cmp::Ordering;
 
 use crate::SEED;

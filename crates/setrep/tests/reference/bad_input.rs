@@ -131,3 +131,12 @@ fn messages_name_what_and_where() {
     let error = Zonotope::with_remainder(&[0.0, 0.0], &Matrix::identity(2), &[0.0, -1.0]).unwrap_err();
     assert_eq!(error.to_string(), "box remainder: entry (1, 0) is -1, below zero");
 }
+
+/// A matrix of no entries can claim any shape; products over no dimension are refused before memory is asked for.
+#[test]
+fn products_over_no_dimension_are_refused() {
+    let wide = IntervalMatrix::point(Matrix::from_column_slice(0, 1 << 62, &[]).unwrap());
+    let tall = IntervalMatrix::point(Matrix::zeros(3, 0));
+    let error = tall.and_then(|tall| tall.mul(&wide.unwrap())).unwrap_err();
+    assert_eq!(error, SetError::ZeroDimension { part: Part::Map });
+}

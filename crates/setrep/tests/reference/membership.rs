@@ -112,3 +112,40 @@ fn bad_points() {
     ));
     assert!(matches!(set.gauge_approx(&[0.0, f64::NAN]), Err(SetError::NonFinite { row: 1, .. })));
 }
+
+/// Scaled far down or up, where products of entries under- and overflow, the gauge stays what it is.
+#[test]
+fn the_gauge_does_not_depend_on_scale() {
+    for s in [1.0, 1e-200, 1e160, 1e-300, 1e300] {
+        let generators = Matrix::from_rows(&[&[s, 0.0, 0.0, s], &[0.0, s, 0.0, s], &[0.0, 0.0, s, s]]).unwrap();
+        let set = Zonotope::new(&[0.0; 3], &generators).unwrap();
+        let gauge = set.gauge_approx(&[1.9 * s, -1.9 * s, 0.0]).unwrap();
+        assert!((gauge - 1.9).abs() < 1e-12, "{s:e}: {gauge}");
+    }
+}
+
+/// Many dependent generators leave nearly every facet to interval arithmetic: the query ends all the same.
+#[test]
+fn dependent_generators_do_not_hang() {
+    let n = 12;
+    let columns: Vec<Vec<f64>> = (0..8)
+        .map(|j| {
+            let mut column = vec![0.0; n];
+            (column[0], column[1]) = (1.0 + f64::from(j), 1.0 + f64::from(j * j));
+            column
+        })
+        .collect();
+    let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    let set = Zonotope::new(&vec![0.0; n], &Matrix::from_columns(&columns).unwrap()).unwrap();
+    let corner: Vec<f64> = (0..n).map(|i| columns.iter().map(|g| g[i]).sum()).collect();
+    assert_ne!(verdict(&set, &corner), Membership::ProvenOutside);
+}
+
+#[test]
+fn too_many_dimensions_are_named() {
+    let n = 15;
+    let set = Zonotope::new(&vec![0.0; n], &Matrix::identity(n)).unwrap();
+    assert!(matches!(set.volume(), Err(SetError::TooManyDimensions { dim: 15, .. })));
+    assert!(matches!(set.gauge_approx(&vec![2.0; n]), Err(SetError::TooManyDimensions { dim: 15, .. })));
+    assert_eq!(Zonotope::point(&vec![1.0; n]).unwrap().volume().unwrap().hi(), 0.0);
+}
