@@ -35,7 +35,10 @@ impl ConstrainedZonotope {
         let (n, rows, columns) = (self.dim(), self.num_constraints(), self.num_generators());
         let size = n + rows;
         // Columns of L in units of the hull and of the rows' reach, and 1 / units.
-        let Workspace { frame: lift, eigen: factor, scales: units, coordinates: solution, .. } = workspace;
+        let Workspace { frame: lift, eigen: factor, scales: units, coordinates: solution, remainder: bounds, .. } =
+            workspace;
+        bounds.clear();
+        bounds.extend((0..rows).map(|i| self.row_bound(i)));
         units.clear();
         units.resize(size, 0.0);
         for j in 0..columns {
@@ -78,7 +81,7 @@ impl ConstrainedZonotope {
             }
         };
         for j in 0..columns {
-            if let Some((excess, row)) = self.excess(j, units) {
+            if let Some((excess, row)) = self.excess(j, units, bounds) {
                 let column = &lift[j * size..(j + 1) * size];
                 consider(excess, column, Choice::Generator { column: j, row });
             }
@@ -90,15 +93,15 @@ impl ConstrainedZonotope {
                 column.clear();
                 column.resize(size, 0.0);
                 column[n + i] = radius * units[n + i];
-                let excess = ((self.row_bound(i) + middle.abs()) / radius - 1.0).max(0.0);
+                let excess = ((bounds[i] + middle.abs()) / radius - 1.0).max(0.0);
                 consider(excess, column, Choice::Row(i));
             }
         }
         best.1
     }
 
-    /// By how much `xi_j` may exceed `[-1, 1]` as far as single rows tell, and the row in which its entry is largest (in `units`).
-    fn excess(&self, j: usize, units: &[f64]) -> Option<(f64, usize)> {
+    /// By how much `xi_j` may exceed `[-1, 1]` as far as single rows (of 1-norm `bounds`) tell, and the row in which its entry is largest (in `units`).
+    fn excess(&self, j: usize, units: &[f64], bounds: &[f64]) -> Option<(f64, usize)> {
         let n = self.dim();
         let weight = |i: usize| self.constraints.col(j)[i].abs() * units[n + i];
         let row = (0..self.num_constraints()).max_by(|&i, &k| weight(i).total_cmp(&weight(k)))?;
@@ -107,7 +110,7 @@ impl ConstrainedZonotope {
         }
         let (mut lo, mut hi) = (f64::NEG_INFINITY, f64::INFINITY);
         for i in (0..self.num_constraints()).filter(|&i| weight(i) >= 1e-9) {
-            let implied = self.implied(i, j, self.row_bound(i));
+            let implied = self.implied(i, j, bounds[i]);
             lo = lo.max(implied.lo());
             hi = hi.min(implied.hi());
         }

@@ -1,3 +1,5 @@
+//! Emptiness and its proofs.
+
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Emptiness, IntervalVector, Matrix, Membership, Workspace};
 

@@ -1,3 +1,5 @@
+//! Intersections with rows and with other sets.
+
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Matrix, Workspace, Zonotope};
 

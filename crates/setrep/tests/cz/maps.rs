@@ -1,3 +1,5 @@
+//! Images, sums, products, translates, multiples and equivalent forms.
+
 use setrep::{ConstrainedZonotope, IntervalMatrix, Matrix, Workspace};
 
 use crate::SEED;

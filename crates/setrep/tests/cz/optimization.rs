@@ -1,3 +1,5 @@
+//! Support, hull and membership.
+
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, IntervalVector, Matrix, Membership, Workspace, Zonotope};
 

@@ -1,3 +1,5 @@
+//! Constraint elimination, generator reduction and the complexity limit.
+
 use scalars::Interval;
 use setrep::{Complexity, ConstrainedZonotope, Matrix, Reduction, SetError, Workspace, Zonotope};
 

@@ -1,3 +1,5 @@
+//! Rescaling, inactive generators, redundant constraints.
+
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Matrix, Workspace};
 
