@@ -19,7 +19,7 @@ const PACKAGES: [(&str, &[&str]); 6] = [
     ("scalars", &["containment"]),
     ("boxlp", &["containment"]),
     ("lie-groups", &["containment"]),
-    ("setrep", &["containment", "polytope"]),
+    ("setrep", &["containment", "cz", "polytope"]),
     ("estimators", &["containment"]),
     ("scenarios", &["containment"]),
 ];

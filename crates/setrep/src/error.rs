@@ -36,6 +36,10 @@ pub enum Part {
     Normals,
     /// The offsets `h` of the half-spaces of a polytope.
     Offsets,
+    /// The constraint matrix `A`, or rows that cut a set.
+    Constraints,
+    /// The ranges `[b]` of constraints.
+    Range,
 }
 
 impl fmt::Display for Part {
@@ -56,6 +60,8 @@ impl fmt::Display for Part {
             Self::Vertices => "vertex matrix",
             Self::Normals => "half-space normals",
             Self::Offsets => "half-space offsets",
+            Self::Constraints => "constraint matrix",
+            Self::Range => "range",
         })
     }
 }
@@ -113,6 +119,20 @@ pub enum SetError {
         row: usize,
         /// Column of the interval (0 for vectors).
         col: usize,
+    },
+    /// An interval is empty where one with points is needed.
+    #[error("{part}: interval {row} is empty")]
+    EmptyInterval {
+        /// The argument that holds the interval.
+        part: Part,
+        /// Index of the interval.
+        row: usize,
+    },
+    /// A set with more generators or constraints than its linear programs are made for (2^24).
+    #[error("{size} generators or constraints are too many")]
+    TooLarge {
+        /// The number of them.
+        size: usize,
     },
     /// The result has no finite bound in `f64`.
     #[error("result overflows in row {row}")]

@@ -1,12 +1,15 @@
-//! Sets that enclose: zonotopes and their operations, rounding included.
+//! Sets that enclose: zonotopes, constrained zonotopes and their operations, rounding included.
 //!
 //! The centre of the crate is [`Zonotope`], the set `<c, G, r> = { c + G xi + e : |xi| <= 1, |e| <= r }` of a center, generators
 //! and a **box remainder**. Every operation on it returns a superset of the exact real-arithmetic result for its `f64` inputs:
 //! what floating point rounds away is bounded and added to `r`. What cannot promise that says `approx` in its name or in its
 //! first line of documentation.
 //!
+//! [`ConstrainedZonotope`] adds constraints with ranges, `A xi in [b]`: intersections with strips, half-spaces and other sets are exact
+//! but for rounding, and support, hull, emptiness and membership come with proofs from linear programs that need not be trusted.
+//!
 //! Reading order: [`Matrix`], [`IntervalVector`], [`IntervalMatrix`], [`Zonotope`], then one operation a file in `ops`,
-//! one order reduction a file in `reduce`.
+//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope`.
 //!
 //! ```
 //! use setrep::{Matrix, Reduction, Workspace, Zonotope};
@@ -26,6 +29,7 @@
 //! ```
 
 mod bounds;
+mod constrained_zonotope;
 mod error;
 mod interval_matrix;
 mod interval_vector;
@@ -38,13 +42,14 @@ mod wedge;
 mod workspace;
 mod zonotope;
 
+pub use constrained_zonotope::{Complexity, ConstrainedZonotope, Contradiction, Emptiness, Optimizer};
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
 pub use ops::membership::{FACET_LIMIT, Membership};
 pub use ops::volume::MINOR_LIMIT;
-pub use polytope::{Emptiness, HPolytope, MAX_FACES, VPolytope};
+pub use polytope::{Feasibility, HPolytope, MAX_FACES, VPolytope};
 pub use reduce::Reduction;
 pub use workspace::Workspace;
 pub use zonotope::Zonotope;

@@ -194,6 +194,37 @@ impl Matrix {
         self.cols += 1;
     }
 
+    /// Appends `columns` columns of zeros.
+    pub(crate) fn push_zero_cols(&mut self, columns: usize) {
+        self.cols += columns;
+        self.data.resize(self.rows * self.cols, 0.0);
+    }
+
+    /// Appends `rows` rows of zeros.
+    pub(crate) fn push_zero_rows(&mut self, rows: usize) {
+        let (old, new) = (self.rows, self.rows + rows);
+        self.data.resize(new * self.cols, 0.0);
+        for j in (0..self.cols).rev() {
+            self.data.copy_within(j * old..(j + 1) * old, j * new);
+            self.data[j * new + old..(j + 1) * new].fill(0.0);
+        }
+        self.rows = new;
+    }
+
+    /// Keeps the rows for whose index `keep` says `true`, in their order.
+    pub(crate) fn retain_rows(&mut self, keep: impl Fn(usize) -> bool) {
+        let old = self.rows;
+        self.rows = (0..old).filter(|&i| keep(i)).count();
+        let mut end = 0;
+        for k in 0..self.data.len() {
+            if keep(k % old) {
+                self.data[end] = self.data[k];
+                end += 1;
+            }
+        }
+        self.data.truncate(end);
+    }
+
     /// Drops the columns from `cols` on.
     pub(crate) fn truncate_cols(&mut self, cols: usize) {
         self.data.truncate(cols * self.rows);

@@ -20,6 +20,16 @@ pub struct Workspace {
     pub(crate) coordinates: Vec<f64>,
     pub(crate) scales: Vec<f64>,
     pub(crate) eigen: Vec<f64>,
+    /// Ranges of the rows being built.
+    pub(crate) ranges: Vec<scalars::Interval>,
+    /// Linear programs over the generators' box.
+    pub(crate) solver: Option<boxlp::Solver>,
+    /// An objective of these.
+    pub(crate) objective: Vec<f64>,
+    /// A constrained zonotope being changed, one to return to, and one lifted to a zonotope.
+    pub(crate) draft: Option<crate::ConstrainedZonotope>,
+    pub(crate) backup: Option<crate::ConstrainedZonotope>,
+    pub(crate) lift: Option<crate::Zonotope>,
 }
 
 impl Workspace {

@@ -1,6 +1,8 @@
 //! Image under an interval matrix, `{ J x : J in [J], x in X }`.
 
-use super::linear_map::remainder_of_image;
+use scalars::Interval;
+
+use super::linear_map::{Spread, remainder_of_image};
 use crate::{IntervalMatrix, Part, SetError, Workspace, Zonotope};
 
 impl Zonotope {
@@ -34,12 +36,23 @@ impl Zonotope {
     /// # Errors
     /// As [`interval_map`](Self::interval_map); the set is then unchanged.
     pub fn interval_map_in_place(&mut self, map: &IntervalMatrix, workspace: &mut Workspace) -> Result<(), SetError> {
+        self.interval_map_over(map, None, workspace)
+    }
+
+    /// [`interval_map_in_place`](Self::interval_map_in_place) of the part of the set that lies in `hull`.
+    pub(crate) fn interval_map_over(
+        &mut self,
+        map: &IntervalMatrix,
+        hull: Option<&[Interval]>,
+        workspace: &mut Workspace,
+    ) -> Result<(), SetError> {
         SetError::check_size(Part::Map, self.dim(), map.cols())?;
         if map.rows() == 0 {
             return Err(SetError::ZeroDimension { part: Part::Map });
         }
         self.magnitudes(map.mid(), workspace);
-        remainder_of_image(map.mid(), Some(map.rad()), self.num_generators() + self.dim() + 1, workspace)?;
+        let spread = Spread { rad: map.rad(), hull };
+        remainder_of_image(map.mid(), Some(&spread), self.num_generators() + self.dim() + 1, workspace)?;
         self.apply(map.mid(), workspace);
         Ok(())
     }

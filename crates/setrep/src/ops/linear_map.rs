@@ -1,6 +1,7 @@
 //! Image under a matrix, `R X = { R x : x in X }`.
 
 use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
+use scalars::Interval;
 use scalars::rounding::add_up;
 
 use crate::bounds::{add_abs_row_sums, add_lengths, gamma, product_sum_bound, sum_bound};
@@ -99,7 +100,7 @@ impl Zonotope {
 }
 
 /// Whether the box remainder `r` is more than rounding beside the generators' extent and the center in its row.
-fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
+pub(crate) fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
     r > 1e-9 * extent && r > 1e-12 * center
 }
 
@@ -108,11 +109,11 @@ fn spreads(column: &[f64]) -> bool {
     column.iter().filter(|&&x| x != 0.0).count() > 1
 }
 
-/// The remainder of the image under `map +- rad`, from the magnitudes in the workspace; proves that no entry of the image
+/// The remainder of the image under `map` and its `spread`, from the magnitudes in the workspace; proves that no entry of the image
 /// overflows. `columns` counts the columns that are mapped, the center included.
 pub(crate) fn remainder_of_image(
     map: &Matrix,
-    rad: Option<&Matrix>,
+    spread: Option<&Spread<'_>>,
     columns: usize,
     workspace: &mut Workspace,
 ) -> Result<(), SetError> {
@@ -140,9 +141,9 @@ pub(crate) fn remainder_of_image(
             let rounding = product_sum_bound(gamma(nonzeros) * magnitude, columns * products, 1);
             add_lengths(product_sum_bound(carried, carried_products, n), rounding)
         };
-        let remainder = match rad {
+        let remainder = match spread {
             None => remainder,
-            Some(rad) => add_lengths(remainder, spread_of_row(rad, i, workspace)),
+            Some(spread) => add_lengths(remainder, spread.of_row(i, workspace)),
         };
         // The magnitude bounds every entry and every partial sum on the way to it; NaN fails the comparison.
         let bounded = magnitude + remainder < f64::MAX;
@@ -155,17 +156,29 @@ pub(crate) fn remainder_of_image(
     Ok(())
 }
 
-/// `sum_k R_ik mag(H_k)`, rounded up: what the members of an interval matrix add to the image under its midpoint.
-fn spread_of_row(rad: &Matrix, i: usize, workspace: &Workspace) -> f64 {
-    let n = rad.cols();
-    let magnitudes = workspace.row_sums.iter().zip(&workspace.center).map(|(&x, &r)| add_lengths(x, r));
-    let (mut sum, mut products) = (0.0, 0);
-    for (k, magnitude) in magnitudes.enumerate() {
-        let radius = rad.as_slice()[k * rad.rows() + i];
-        sum += radius * magnitude;
-        products += usize::from(radius != 0.0 && magnitude != 0.0);
+/// What the members of an interval matrix add to the image under its midpoint.
+pub(crate) struct Spread<'a> {
+    /// The radii `R`.
+    pub(crate) rad: &'a Matrix,
+    /// An enclosure of the set that may be tighter than its generators say.
+    pub(crate) hull: Option<&'a [Interval]>,
+}
+
+impl Spread<'_> {
+    /// `sum_k R_ik mag(H_k)`, rounded up.
+    fn of_row(&self, i: usize, workspace: &Workspace) -> f64 {
+        let n = self.rad.cols();
+        let magnitudes = workspace.row_sums.iter().zip(&workspace.center).map(|(&x, &r)| add_lengths(x, r));
+        let (mut sum, mut products) = (0.0, 0);
+        for (k, magnitude) in magnitudes.enumerate() {
+            // The magnitude of an empty interval is NaN, which `min` passes over.
+            let magnitude = self.hull.map_or(magnitude, |hull| magnitude.min(hull[k].mag()));
+            let radius = self.rad.as_slice()[k * self.rad.rows() + i];
+            sum += radius * magnitude;
+            products += usize::from(radius != 0.0 && magnitude != 0.0);
+        }
+        product_sum_bound(sum, products, n)
     }
-    product_sum_bound(sum, products, n)
 }
 
 /// `product = map * columns` through faer; `columns` holds `cols` columns.

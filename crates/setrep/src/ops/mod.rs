@@ -5,7 +5,7 @@ mod cartesian_product;
 mod gauge;
 mod interval_hull;
 mod interval_map;
-mod linear_map;
+pub(crate) mod linear_map;
 mod materialize;
 pub(crate) mod membership;
 mod minkowski_sum;

@@ -27,10 +27,10 @@
 
 mod clip;
 mod cone;
-mod emptiness;
 mod error_free;
 mod exact;
 mod facets;
+mod feasibility;
 mod h_polytope;
 mod incidence;
 mod membership;
@@ -44,7 +44,7 @@ mod vertices;
 mod volume;
 mod waiting;
 
-pub use emptiness::Emptiness;
+pub use feasibility::Feasibility;
 pub use h_polytope::HPolytope;
 pub use v_polytope::VPolytope;
 

@@ -2,7 +2,7 @@
 
 use num_traits::Signed;
 use scalars::Interval;
-use setrep::{Emptiness, SetError};
+use setrep::{Feasibility, SetError};
 
 use crate::common::random::Random;
 use crate::oracle::{self, Q, float, q};
@@ -49,7 +49,7 @@ fn every_vertex_is_found_once_and_enclosed() {
                     let tight: Vec<&Vec<Q>> = exact.iter().filter(|x| oracle::dot(a, x) == *b).collect();
                     assert!(tight.len() >= n, "a row that is no facet: n {n} case {case} {entries:?}");
                 }
-                assert!(matches!(set.emptiness().unwrap(), Emptiness::ProvenNonEmpty { .. }));
+                assert!(matches!(set.emptiness().unwrap(), Feasibility::ProvenNonEmpty { .. }));
                 let (center, radius) = set.interior_point().unwrap();
                 assert!(radius > 0.0, "n {n} case {case} {entries:?}");
                 for (i, &offset) in set.offsets().iter().enumerate() {
@@ -140,12 +140,12 @@ fn emptiness_is_decided() {
             Err(SetError::Unbounded) => {
                 unbounded += 1;
                 assert!(exact.iter().any(|x| x.iter().any(|x| x.abs() >= q(1e11))), "case {case}");
-                assert_eq!(set.emptiness().unwrap(), Emptiness::ProvenUnbounded);
+                assert_eq!(set.emptiness().unwrap(), Feasibility::ProvenUnbounded);
             }
             Err(SetError::EmptySet) => {
                 empty += 1;
                 assert!(exact.is_empty(), "case {case}");
-                let Emptiness::ProvenEmpty { rows } = set.emptiness().unwrap() else { panic!("case {case}") };
+                let Feasibility::ProvenEmpty { rows } = set.emptiness().unwrap() else { panic!("case {case}") };
                 assert!(rows.len() <= n + 1, "case {case}");
                 let mut normals = setrep::Matrix::zeros(rows.len(), n);
                 for (i, &row) in rows.iter().enumerate() {

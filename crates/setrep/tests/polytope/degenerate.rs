@@ -1,7 +1,7 @@
 //! Flat sets, duplicates, single points, huge and tiny scales, far-away sets.
 
 use scalars::Interval;
-use setrep::{Emptiness, HPolytope, IntervalVector, Matrix, Membership, VPolytope};
+use setrep::{Feasibility, HPolytope, IntervalVector, Matrix, Membership, VPolytope};
 
 use crate::common::random::Random;
 use crate::oracle::{Q, lies_in, q};
@@ -60,7 +60,7 @@ fn flat_half_spaces() {
     // One ulp apart the wrong way: empty, and two rows say why.
     let apart =
         HPolytope::new(Matrix::from_rows(&rows).unwrap(), &[1.0, 0.0, 1.0, 0.0, third, -third.next_up()]).unwrap();
-    assert_eq!(apart.emptiness().unwrap(), Emptiness::ProvenEmpty { rows: vec![4, 5] });
+    assert_eq!(apart.emptiness().unwrap(), Feasibility::ProvenEmpty { rows: vec![4, 5] });
     // One ulp apart the other way: a slab of that thickness.
     let slab =
         HPolytope::new(Matrix::from_rows(&rows).unwrap(), &[1.0, 0.0, 1.0, 0.0, third, -third.next_down()]).unwrap();

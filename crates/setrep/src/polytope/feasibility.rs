@@ -9,7 +9,7 @@ use crate::{IntervalVector, SetError};
 
 /// Whether a set is empty, with the evidence.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Emptiness {
+pub enum Feasibility {
     /// The half-spaces with these indices, at most `n + 1`, already have no common point, and each of them is needed for that.
     ProvenEmpty {
         /// Row indices, increasing.
@@ -34,20 +34,20 @@ impl HPolytope {
     /// [`SetError::OverBudget`], [`SetError::Overflow`].
     ///
     /// ```
-    /// # use setrep::{Emptiness, HPolytope, Matrix};
+    /// # use setrep::{Feasibility, HPolytope, Matrix};
     /// let h = Matrix::from_rows(&[&[1.0], &[-1.0], &[2.0]])?;
     /// let empty = HPolytope::new(h, &[1.0, -1.5, 7.0])?;
-    /// assert_eq!(empty.emptiness()?, Emptiness::ProvenEmpty { rows: vec![0, 1] });
+    /// assert_eq!(empty.emptiness()?, Feasibility::ProvenEmpty { rows: vec![0, 1] });
     /// # Ok::<(), setrep::SetError>(())
     /// ```
-    pub fn emptiness(&self) -> Result<Emptiness, SetError> {
+    pub fn emptiness(&self) -> Result<Feasibility, SetError> {
         match Vertices::enumerate(self, MAX_FACES) {
             Ok(vertices) => {
                 let witness = IntervalVector::from_center(vertices.mids.col(0), vertices.radii.col(0))?;
-                Ok(Emptiness::ProvenNonEmpty { witness })
+                Ok(Feasibility::ProvenNonEmpty { witness })
             }
-            Err(SetError::Unbounded) => Ok(Emptiness::ProvenUnbounded),
-            Err(SetError::EmptySet) => Ok(Emptiness::ProvenEmpty { rows: self.infeasible_rows()? }),
+            Err(SetError::Unbounded) => Ok(Feasibility::ProvenUnbounded),
+            Err(SetError::EmptySet) => Ok(Feasibility::ProvenEmpty { rows: self.infeasible_rows()? }),
             Err(error) => Err(error),
         }
     }
