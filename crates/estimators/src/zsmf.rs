@@ -49,8 +49,9 @@ pub trait Model<const N: usize, const M: usize, const W: usize> {
 ///
 /// **Guarantee:** [`Guarantee::FirstOrder`]. The terms of second order in `e` and the rounding of `xhat` are dropped. For a linear model
 /// the set holds the state up to that rounding. For the vehicle of paper 000 it need not: with a first set that holds the
-/// true state and an initial heading error of 45 or 90 degrees (rows 2 and 3 of its Table I) the state left the set in 5 of 5 runs,
-/// by a factor of up to 8 (uniform noise) or 18 (constant noise at a vertex); without heading error it never did.
+/// true state and an initial heading error of 45 or 90 degrees (rows 2 and 3 of its Table I) the state left the set in 20 of 20 runs
+/// of `cargo xtask reproduce inzsmf`, by a factor of up to 9 (uniform noise) or 34 (constant noise at a vertex); without heading error
+/// (rows 1 and 4) it never did.
 /// **Source:** paper 000, (10), (12), (16).
 ///
 /// ```
