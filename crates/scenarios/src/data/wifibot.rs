@@ -1,6 +1,6 @@
 //! Logs of a wheeled robot: wheel odometry, gyro and a motion-capture reference at about 50 Hz.
 //!
-//! Seven columns: time [s], gyro [rad/s], forward and lateral speed from the wheels [m/s], reference heading [rad] and position [m].
+//! Seven columns: time (s), gyro (rad/s), forward and lateral speed from the wheels (m/s), reference heading (rad) and position (m).
 //! Two spellings are read: CSV with a header, and the whitespace text of the public repository the logs come from (same columns, same order,
 //! no header).
 
