@@ -9,8 +9,8 @@ use super::optimizer::{prepared, refused};
 use crate::bounds::two_sum;
 use crate::{Membership, Part, SetError, Workspace};
 
-/// Most vertices of a box whose membership is proven vertex by vertex.
-const VERTEX_LIMIT: u32 = 8;
+/// Most sides of positive width of a box whose membership is proven vertex by vertex.
+const WIDE_SIDES_LIMIT: u32 = 8;
 
 impl ConstrainedZonotope {
     /// Whether a point, known to lie in a box `P`, lies in the set: inside if `P` is a subset, outside if `P` is disjoint from it.
@@ -53,7 +53,7 @@ impl ConstrainedZonotope {
             return Ok(Membership::ProvenOutside);
         }
         let wide: Vec<usize> = (0..n).filter(|&i| point[i].width() > 0.0).collect();
-        if wide.len() as u32 > VERTEX_LIMIT {
+        if wide.len() as u32 > WIDE_SIDES_LIMIT {
             return Ok(Membership::Undecided);
         }
         for vertex in 0_u32..1 << wide.len() {
