@@ -3,12 +3,14 @@
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
 
+mod derivative;
 mod error;
 mod function;
 mod jet;
 mod smoothness;
 mod workspace;
 
+pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use function::{DynFunction, Function, Order};
 pub use jet::Jet;
