@@ -94,16 +94,32 @@ impl Optimizer<'_> {
     pub fn support(&mut self, direction: &[f64]) -> Result<f64, SetError> {
         SetError::check_size(Part::Direction, self.set.dim(), direction.len())?;
         SetError::check_finite(Part::Direction, direction.len(), direction)?;
+        Ok(self.support_along(direction, 1.0))
+    }
+
+    /// [`support`](Self::support) in the opposite direction, `h(-d)`.
+    ///
+    /// # Errors
+    /// As [`support`](Self::support).
+    pub fn support_opposite(&mut self, direction: &[f64]) -> Result<f64, SetError> {
+        SetError::check_size(Part::Direction, self.set.dim(), direction.len())?;
+        SetError::check_finite(Part::Direction, direction.len(), direction)?;
+        Ok(self.support_along(direction, -1.0))
+    }
+
+    /// `h(sign d)` for a sign of 1 or -1.
+    fn support_along(&mut self, direction: &[f64], sign: f64) -> f64 {
         self.objective.clear();
         self.objective.resize(self.set.num_generators(), 0.0);
         let error = combine(direction, self.set.generators(), self.objective);
+        self.objective.iter_mut().for_each(|x| *x *= sign);
         let inner = self.maximum();
         if inner == f64::NEG_INFINITY {
-            return Ok(inner);
+            return inner;
         }
-        let outer = combine_box(direction, self.set.center(), self.set.remainder()).hi();
+        let outer = combine_box(direction, self.set.center(), self.set.remainder()).scale(sign).hi();
         // NaN, from an overflow of both signs, rounds up to infinity.
-        Ok(if error == 0.0 { add_up(outer, inner) } else { add_up(add_up(outer, error), inner) })
+        if error == 0.0 { add_up(outer, inner) } else { add_up(add_up(outer, error), inner) }
     }
 
     /// Interval hull into a slice of length `n`: the supports of both signs of every axis, and the hull of the set without its
