@@ -7,8 +7,10 @@ mod error;
 mod function;
 mod jet;
 mod smoothness;
+mod workspace;
 
 pub use error::{BoundError, Operand};
 pub use function::{DynFunction, Function, Order};
 pub use jet::Jet;
 pub use smoothness::Smoothness;
+pub use workspace::Workspace;
