@@ -1,7 +1,8 @@
 //! A function around a point of a box, by the mean value theorem.
 
 use scalars::Interval;
-use setrep::VPolytope;
+use scalars::rounding::{add_up, mul_up};
+use setrep::{Matrix, VPolytope};
 
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness};
 
@@ -45,9 +46,8 @@ impl Expanded {
         let jacobian = jet.jacobian().to_vec();
         f.enclose(Order::Value, &at, p, jet)?;
         let value = jet.values().to_vec();
-        let bounded = |i: &usize| {
-            !(value[*i].is_bounded() && jacobian[i * n..(i + 1) * n].iter().all(Interval::is_bounded))
-        };
+        let bounded =
+            |i: &usize| !(value[*i].is_bounded() && jacobian[i * n..(i + 1) * n].iter().all(Interval::is_bounded));
         match (0..value.len()).find(bounded) {
             Some(output) => Err(BoundError::UnboundedResult { output }),
             None => Ok(Self { point: point.to_vec(), value, jacobian }),
@@ -74,13 +74,12 @@ impl Expanded {
 
     /// `[J_i] e` for `|e| <= r`, as a half-width.
     pub(crate) fn spread(&self, i: usize, r: &[f64]) -> f64 {
-        use scalars::rounding::{add_up, mul_up};
         let terms = self.row(i).iter().zip(r).filter(|(_, r)| **r != 0.0);
         terms.fold(0.0, |sum, (slope, &r)| add_up(sum, mul_up(slope.mag(), r)))
     }
 
     /// The function `A f` of the rows `A`.
-    pub(crate) fn combined(&self, normals: &setrep::Matrix) -> Self {
+    pub(crate) fn combined(&self, normals: &Matrix) -> Self {
         let (n, rows) = (self.point.len(), normals.rows());
         let mut combined = Self {
             point: self.point.clone(),
@@ -91,10 +90,10 @@ impl Expanded {
             for j in 0..rows {
                 let a = normals[(j, i)];
                 if a != 0.0 {
-                    combined.value[j] = combined.value[j] + self.value[i].scale(a);
+                    combined.value[j] += self.value[i].scale(a);
                     for k in 0..n {
                         let slope = &mut combined.jacobian[j * n + k];
-                        *slope = *slope + self.jacobian[i * n + k].scale(a);
+                        *slope += self.jacobian[i * n + k].scale(a);
                     }
                 }
             }

@@ -39,7 +39,7 @@ pub fn polytopic_solution_lift(
             // A float below half of the bound, though a half may underflow.
             let half = Interval::point(rows.reach(j, vertex).lo()).scale(0.5).lo();
             constraints[(j + 1, i)] = half;
-            level = level - Interval::point(half);
+            level -= Interval::point(half);
         }
         if !level.is_bounded() {
             return Err(BoundError::UnboundedResult { output: j });
@@ -64,7 +64,7 @@ fn simplex_body(set: &VPolytope) -> Result<Zonotope, BoundError> {
             let half = difference.scale(0.5).mid();
             generators[(k, i)] = half;
             lost = lost.max((difference - Interval::point(half).scale(2.0)).mag());
-            sum = sum + Interval::point(half);
+            sum += Interval::point(half);
         }
         center.push(sum.mid());
         remainder.push(sum_up([lost, sum.rad(), set.remainder()[k]]));
