@@ -14,7 +14,7 @@ use crate::member::{assert_not_refuted, constrained};
 /// Options and candidate directions of one case.
 fn settings(random: &mut Random, n: usize, case: usize) -> (Reencoding, Directions) {
     let mut options = Reencoding::new(random.below(2 * n + 2));
-    if case % 3 == 0 {
+    if case.is_multiple_of(3) {
         options.widths = TemplateWidths::LinearPrograms;
     }
     let mut directions = Directions::new(n);

@@ -82,6 +82,7 @@ pub(crate) struct Scratch {
     ranges: Vec<Interval>,
     choice: choice::Choice,
     zeros: Vec<f64>,
+    negated: Vec<f64>,
 }
 
 impl ConstrainedZonotope {
@@ -237,7 +238,7 @@ impl Scratch {
         let n = self.units.len();
         self.along_frame.clear();
         for row in self.frame.rows.chunks_exact(n) {
-            self.along_frame.push(range_along(row, &self.hull, optimizer)?);
+            self.along_frame.push(range_along(row, &self.hull, &mut self.negated, optimizer)?);
         }
         Ok(!self.along_frame.iter().any(Interval::is_empty))
     }
@@ -273,7 +274,7 @@ impl Scratch {
         let useful =
             last.iter().all(|d| d.is_finite()) && !others.any(|other| choice::parallel(other, last, &self.units));
         if useful {
-            self.ranges.push(range_along(last, &self.hull, optimizer)?);
+            self.ranges.push(range_along(last, &self.hull, &mut self.negated, optimizer)?);
         } else {
             self.candidates.truncate(self.candidates.len() - n);
         }
@@ -282,12 +283,19 @@ impl Scratch {
 }
 
 /// The range of `d'x` over the set, empty if the set is proven empty; along an axis that of the hull, which is known.
-fn range_along(d: &[f64], hull: &[Interval], optimizer: &mut Optimizer<'_>) -> Result<Interval, SetError> {
+fn range_along(
+    d: &[f64],
+    hull: &[Interval],
+    negated: &mut Vec<f64>,
+    optimizer: &mut Optimizer<'_>,
+) -> Result<Interval, SetError> {
     let mut nonzeros = (0..d.len()).filter(|&k| d[k] != 0.0);
     if let (Some(k), None) = (nonzeros.next(), nonzeros.next()) {
         return Ok(hull[k].scale(d[k]));
     }
     let hi = optimizer.support(d)?;
-    let lo = -optimizer.support_opposite(d)?;
+    negated.clear();
+    negated.extend(d.iter().map(|d| -d));
+    let lo = -optimizer.support(negated)?;
     Ok(Interval::new(lo, hi).unwrap_or(Interval::EMPTY))
 }
