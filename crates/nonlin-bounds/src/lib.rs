@@ -4,11 +4,15 @@
 //! enclosure of this crate takes.
 
 mod error;
+mod expansion;
 mod function;
 mod jet;
 mod smoothness;
+mod workspace;
 
 pub use error::{BoundError, Operand};
+pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use jet::Jet;
 pub use smoothness::Smoothness;
+pub use workspace::Workspace;
