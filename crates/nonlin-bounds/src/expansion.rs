@@ -10,7 +10,7 @@ use crate::{BoundError, Operand, Workspace};
 /// Every point of `H` is valid; the choices differ in tightness. The linear programs of the papers, which minimise a weighted 1-norm of
 /// `c - gamma` over the box `H`, are separable: their solution is `c` clamped to `H`, whatever the weights.
 ///
-/// **Source:** paper 003, Section 4.4 (C1, C2) and Remark 11 (C3), equation (16).
+/// **Source:** paper 003, Section 4.4: heuristics C1, C2 (Proposition 5, equation (16)) and C3.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Expansion<'a> {
     /// C1: the midpoint of the hull, which makes the radius of `X - gamma` least.

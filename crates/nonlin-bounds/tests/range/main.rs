@@ -1,0 +1,3 @@
+//! Expansion points and ranges of functions over boxes.
+
+mod expansion;
