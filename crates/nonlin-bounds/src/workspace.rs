@@ -1,5 +1,7 @@
 //! Scratch memory that the caller owns, so that enclosures in steady state allocate nothing.
 
+use crate::Jet;
+
 /// Buffers for the enclosures that take one. Grows to the largest use and is then reused; holds no result.
 #[derive(Debug, Default, Clone)]
 pub struct Workspace {
@@ -7,6 +9,8 @@ pub struct Workspace {
     pub sets: setrep::Workspace,
     /// A set whose constraints are being eliminated, to find its expansion point.
     pub(crate) eliminated: Option<setrep::ConstrainedZonotope>,
+    /// The derivatives of the function at hand.
+    pub(crate) jet: Jet,
 }
 
 impl Workspace {
