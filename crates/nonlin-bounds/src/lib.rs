@@ -5,6 +5,7 @@
 
 mod error;
 mod expanded;
+mod expansion;
 mod function;
 mod image;
 mod jet;
@@ -13,6 +14,7 @@ mod solution;
 mod workspace;
 
 pub use error::{BoundError, Operand};
+pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use image::polytopic_image;
 pub use jet::Jet;
