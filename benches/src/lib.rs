@@ -2,11 +2,17 @@
 //!
 //! `cargo xtask bench` prints the table; `cargo bench -p benches` runs criterion on our side of the same work.
 
+pub mod derivatives;
 pub mod filters;
 pub mod groups;
 pub mod intervals;
 pub mod sets;
 pub mod timing;
+
+/// The functions that are timed: those of the tests.
+#[path = "../../crates/nonlin-bounds/tests/common/functions.rs"]
+#[allow(dead_code, reason = "the benches use some of them")]
+mod functions;
 
 use timing::Bench;
 
@@ -15,6 +21,7 @@ pub fn all() -> Vec<Bench> {
     let mut benches = intervals::benches();
     benches.extend(groups::benches());
     benches.extend(sets::benches());
+    benches.extend(derivatives::benches());
     benches.extend(filters::benches());
     benches
 }

@@ -3,23 +3,30 @@
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
 
+mod buffer;
+mod compose;
 mod derivative;
 mod error;
 mod expanded;
 mod expansion;
 mod function;
 mod image;
+mod integrators;
 mod jet;
+mod macros;
 mod smoothness;
 mod solution;
 mod workspace;
 
+pub use compose::{Stack, Then, stack, then};
 pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use image::polytopic_image;
+pub use integrators::{Euler, Heun, Rk4};
 pub use jet::Jet;
+pub use scalars;
 pub use smoothness::Smoothness;
 pub use solution::{polytopic_solution, polytopic_solution_lift};
 pub use workspace::Workspace;

@@ -92,8 +92,8 @@ impl<S: Scalar, const N: usize, V: Scalar + Into<S>> Dual<S, N, V> {
     /// `value` with the gradient `sum over the terms`, by whom each variable concerns: both, the first, the second.
     #[inline(always)]
     fn combine(
-        self,
-        other: Self,
+        &self,
+        other: &Self,
         value: V,
         both: impl Fn(S, S) -> S,
         first: impl Fn(S) -> S,
@@ -112,38 +112,45 @@ impl<S: Scalar, const N: usize, V: Scalar + Into<S>> Dual<S, N, V> {
         Self { value, gradient, mask: self.mask | other.mask }
     }
 
-    #[inline(always)]
-    fn sum(self, other: Self) -> Self {
+    #[inline]
+    fn sum(&self, other: &Self) -> Self {
         self.combine(other, self.value + other.value, |a, b| a + b, |a| a, |b| b)
     }
 
-    #[inline(always)]
-    fn difference(self, other: Self) -> Self {
+    #[inline]
+    fn difference(&self, other: &Self) -> Self {
         self.combine(other, self.value - other.value, |a, b| a - b, |a| a, |b| -b)
     }
 
     /// `(a b)' = a' b + a b'`.
-    #[inline(always)]
-    fn product(self, other: Self) -> Self {
+    #[inline]
+    fn product(&self, other: &Self) -> Self {
         let (x, y) = (self.at(), other.at());
         self.combine(other, self.value * other.value, |a, b| a * y + x * b, |a| a * y, |b| x * b)
     }
 
     /// `q = a / b`: `q' = (a' - q b') / b`.
-    #[inline(always)]
-    fn quotient(self, other: Self) -> Self {
+    #[inline]
+    fn quotient(&self, other: &Self) -> Self {
         let value = self.value / other.value;
         let (q, y) = (value.into(), other.at());
         self.combine(other, value, |a, b| (a - q * b) / y, |a| a / y, |b| -(q * b) / y)
     }
 
+    #[inline]
+    fn negated(&self) -> Self {
+        self.linear(-self.value, |a| -a)
+    }
+
+    /// `value` with every derivative mapped.
     #[inline(always)]
-    fn negated(mut self) -> Self {
-        self.value = -self.value;
+    fn linear(&self, value: V, map: impl Fn(S) -> S) -> Self {
+        let mut result = Self::constant(value);
         for i in bits(u64::from(self.mask)) {
-            self.gradient[i] = -self.gradient[i];
+            result.gradient[i] = map(self.gradient[i]);
         }
-        self
+        result.mask = self.mask;
+        result
     }
 }
 
@@ -162,19 +169,16 @@ impl<S: Scalar, const N: usize, V: Scalar + Into<S>> Chain for Dual<S, N, V> {
     }
 
     #[inline(always)]
-    fn chain(mut self, value: V, first: impl FnOnce() -> S, _: impl FnOnce() -> S) -> Self {
-        self.value = value;
-        if self.mask != 0 {
-            let slope = first();
-            for i in bits(u64::from(self.mask)) {
-                self.gradient[i] = slope * self.gradient[i];
-            }
+    fn chain(&self, value: V, first: impl FnOnce() -> S, _: impl FnOnce() -> S) -> Self {
+        if self.mask == 0 {
+            return Self::constant(value);
         }
-        self
+        let slope = first();
+        self.linear(value, |a| slope * a)
     }
 
     #[inline(always)]
-    fn chain2(self, other: Self, value: V, first: impl FnOnce() -> (S, S), _: impl FnOnce() -> (S, S, S)) -> Self {
+    fn chain2(&self, other: &Self, value: V, first: impl FnOnce() -> (S, S), _: impl FnOnce() -> (S, S, S)) -> Self {
         if self.mask | other.mask == 0 {
             return Self::constant(value);
         }
@@ -183,12 +187,8 @@ impl<S: Scalar, const N: usize, V: Scalar + Into<S>> Chain for Dual<S, N, V> {
     }
 
     #[inline(always)]
-    fn affine(mut self, value: V, k: f64) -> Self {
-        self.value = value;
-        for i in bits(u64::from(self.mask)) {
-            self.gradient[i] = self.gradient[i].scale(k);
-        }
-        self
+    fn affine(&self, value: V, k: f64) -> Self {
+        self.linear(value, |a| a.scale(k))
     }
 }
 

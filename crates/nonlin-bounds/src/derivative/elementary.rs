@@ -18,17 +18,17 @@ pub(super) trait Chain: Copy {
     /// The value.
     fn value(&self) -> Self::V;
     /// `f(a)` of value `value`, from `f'(a)` and `f''(a)`.
-    fn chain(self, value: Self::V, first: impl FnOnce() -> Self::S, second: impl FnOnce() -> Self::S) -> Self;
+    fn chain(&self, value: Self::V, first: impl FnOnce() -> Self::S, second: impl FnOnce() -> Self::S) -> Self;
     /// `f(a, b)` of value `value`, from `(f_a, f_b)` and `(f_aa, f_ab, f_bb)`.
     fn chain2(
-        self,
-        other: Self,
+        &self,
+        other: &Self,
         value: Self::V,
         first: impl FnOnce() -> (Self::S, Self::S),
         second: impl FnOnce() -> (Self::S, Self::S, Self::S),
     ) -> Self;
     /// An affine function of slope `k`.
-    fn affine(self, value: Self::V, k: f64) -> Self;
+    fn affine(&self, value: Self::V, k: f64) -> Self;
 
     /// The value, as a scalar of derivatives.
     #[inline(always)]
@@ -38,12 +38,12 @@ pub(super) trait Chain: Copy {
 
     /// `x^n`.
     #[inline]
-    fn power(self, n: i32) -> Self {
+    fn power(&self, n: i32) -> Self {
         let x = self.at();
         let degree = f64::from(n);
         match n {
             0 => Self::constant(self.value().powi(0)),
-            1 => self,
+            1 => *self,
             // n - 2 is not an i32.
             _ if n < i32::MIN + 2 => self.chain(
                 self.value().powi(n),
@@ -60,7 +60,7 @@ pub(super) trait Chain: Copy {
 
     /// Inverse sine.
     #[inline]
-    fn arc_sine(self) -> Self {
+    fn arc_sine(&self) -> Self {
         let x = self.at();
         let slope = || (Self::S::one() - x.sqr()).sqrt().recip();
         self.chain(self.value().asin(), slope, || x * (slope().sqr() * slope()))
@@ -68,7 +68,7 @@ pub(super) trait Chain: Copy {
 
     /// Inverse cosine.
     #[inline]
-    fn arc_cosine(self) -> Self {
+    fn arc_cosine(&self) -> Self {
         let x = self.at();
         let slope = || -(Self::S::one() - x.sqr()).sqrt().recip();
         self.chain(self.value().acos(), slope, || x * (slope().sqr() * slope()))
@@ -76,7 +76,7 @@ pub(super) trait Chain: Copy {
 
     /// Angle of the point `(x, self)`.
     #[inline]
-    fn angle(self, x: Self) -> Self {
+    fn angle(&self, x: &Self) -> Self {
         let (v, u) = (self.at(), x.at());
         let squared = u.sqr() + v.sqr();
         self.chain2(
@@ -93,7 +93,7 @@ pub(super) trait Chain: Copy {
 
     /// One of two: the first where `lead` is positive, the second where it is negative.
     #[inline]
-    fn select(self, other: Self, value: Self::V, lead: impl FnOnce() -> Self::S) -> Self {
+    fn select(&self, other: &Self, value: Self::V, lead: impl FnOnce() -> Self::S) -> Self {
         let (zero, half) = (Self::S::zero(), |x: Self::S| x.scale(0.5));
         // Weights (1, 0) if the first is the one, (0, 1) if the second is, all between the two at a tie.
         let weights = || {
@@ -105,7 +105,7 @@ pub(super) trait Chain: Copy {
 
     /// `C_k`: `C_k' = (k C_{k+2} - C_{k+1}) / 2`, applied twice for the second derivative.
     #[inline]
-    fn stumpff_function(self, k: usize) -> Self {
+    fn stumpff_function(&self, k: usize) -> Self {
         let s = self.at();
         let degree = k as f64;
         let c = |j: usize| s.stumpff(k.saturating_add(j));
@@ -178,7 +178,7 @@ macro_rules! impl_scalar {
             }
             #[inline]
             fn scale(self, k: f64) -> Self {
-                Chain::affine(self, self.value.scale(k), k)
+                Chain::affine(&self, self.value.scale(k), k)
             }
             #[inline]
             fn add_f64(mut self, k: f64) -> Self {
@@ -203,7 +203,7 @@ macro_rules! impl_scalar {
             }
             #[inline]
             fn powi(self, n: i32) -> Self {
-                Chain::power(self, n)
+                Chain::power(&self, n)
             }
             #[inline]
             fn exp(self) -> Self {
@@ -238,11 +238,11 @@ macro_rules! impl_scalar {
             }
             #[inline]
             fn asin(self) -> Self {
-                Chain::arc_sine(self)
+                Chain::arc_sine(&self)
             }
             #[inline]
             fn acos(self) -> Self {
-                Chain::arc_cosine(self)
+                Chain::arc_cosine(&self)
             }
             #[inline]
             fn atan(self) -> Self {
@@ -252,7 +252,7 @@ macro_rules! impl_scalar {
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                Chain::angle(self, x)
+                Chain::angle(&self, &x)
             }
             #[inline]
             fn sinh(self) -> Self {
@@ -284,30 +284,30 @@ macro_rules! impl_scalar {
             }
             #[inline]
             fn min(self, other: Self) -> Self {
-                Chain::select(self, other, self.value.min(other.value), || other.at() - self.at())
+                Chain::select(&self, &other, self.value.min(other.value), || other.at() - self.at())
             }
             #[inline]
             fn max(self, other: Self) -> Self {
-                Chain::select(self, other, self.value.max(other.value), || self.at() - other.at())
+                Chain::select(&self, &other, self.value.max(other.value), || self.at() - other.at())
             }
             #[inline]
             fn stumpff(self, k: usize) -> Self {
-                Chain::stumpff_function(self, k)
+                Chain::stumpff_function(&self, k)
             }
         }
     };
     (@operator [$($generics:tt)*] $type:ty, $trait:ident $method:ident $body:ident, $assign:ident $assign_method:ident) => {
         impl<$($generics)*> std::ops::$trait for $type {
             type Output = Self;
-            #[inline]
+            #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.$body(other)
+                self.$body(&other)
             }
         }
         impl<$($generics)*> std::ops::$assign for $type {
-            #[inline]
+            #[inline(always)]
             fn $assign_method(&mut self, other: Self) {
-                *self = self.$body(other);
+                *self = self.$body(&other);
             }
         }
     };

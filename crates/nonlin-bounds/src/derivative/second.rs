@@ -167,63 +167,65 @@ impl<S: Scalar, const N: usize, const H: usize, V: Scalar + Into<S>> Second<S, N
         }
     }
 
-    #[inline(always)]
-    fn sum(self, other: Self) -> Self {
-        self.combine(&other, self.value + other.value, |a, b| a + b, |a| a, |b| b)
+    #[inline]
+    fn sum(&self, other: &Self) -> Self {
+        self.combine(other, self.value + other.value, |a, b| a + b, |a| a, |b| b)
     }
 
-    #[inline(always)]
-    fn difference(self, other: Self) -> Self {
-        self.combine(&other, self.value - other.value, |a, b| a - b, |a| a, |b| -b)
+    #[inline]
+    fn difference(&self, other: &Self) -> Self {
+        self.combine(other, self.value - other.value, |a, b| a - b, |a| a, |b| -b)
     }
 
     /// `(a b)'' = a'' b + a b'' + a' b' + b' a'`.
-    #[inline(always)]
-    fn product(self, other: Self) -> Self {
+    #[inline]
+    fn product(&self, other: &Self) -> Self {
         let (x, y) = (self.at(), other.at());
         let value = self.value * other.value;
-        let mut result = self.combine(&other, value, |a, b| a * y + x * b, |a| a * y, |b| x * b);
-        result.bend_mixed(&self, &other, |a, b| a * b);
+        let mut result = self.combine(other, value, |a, b| a * y + x * b, |a| a * y, |b| x * b);
+        result.bend_mixed(self, other, |a, b| a * b);
         result
     }
 
     /// `q = a / b`: `q' = (a' - q b') / b`, `q'' = (a'' - q b'' - q' b' - b' q') / b`.
-    #[inline(always)]
-    fn quotient(self, other: Self) -> Self {
+    #[inline]
+    fn quotient(&self, other: &Self) -> Self {
         let value = self.value / other.value;
         let (q, y) = (value.into(), other.at());
         if other.mask == 0 {
             return self.linear(value, |a| a / y);
         }
         // The numerator of q'', then the division.
-        let mut result = self.combine(&other, value, |a, b| a - q * b, |a| a, |b| -(q * b));
+        let mut result = self.combine(other, value, |a, b| a - q * b, |a| a, |b| -(q * b));
         for i in bits(u64::from(result.mask)) {
             result.gradient[i] /= y;
         }
         let first = result;
-        result.bend_mixed(&first, &other, |a, b| -(a * b));
+        result.bend_mixed(&first, other, |a, b| -(a * b));
         for k in bits(result.curved) {
             result.hessian[k] /= y;
         }
         result
     }
 
-    #[inline(always)]
-    fn negated(self) -> Self {
+    #[inline]
+    fn negated(&self) -> Self {
         self.linear(-self.value, |a| -a)
     }
 
     /// `value` with every derivative mapped.
     #[inline(always)]
-    fn linear(mut self, value: V, map: impl Fn(S) -> S) -> Self {
-        self.value = value;
+    fn linear(&self, value: V, map: impl Fn(S) -> S) -> Self {
+        let mut result = Self::constant(value);
         for i in bits(u64::from(self.mask)) {
-            self.gradient[i] = map(self.gradient[i]);
+            result.gradient[i] = map(self.gradient[i]);
         }
         for k in bits(self.curved) {
-            self.hessian[k] = map(self.hessian[k]);
+            result.hessian[k] = map(self.hessian[k]);
         }
-        self
+        result.mask = self.mask;
+        result.curved = self.curved;
+        result
     }
 }
 
@@ -242,38 +244,38 @@ impl<S: Scalar, const N: usize, const H: usize, V: Scalar + Into<S>> Chain for S
     }
 
     #[inline(always)]
-    fn chain(self, value: V, first: impl FnOnce() -> S, second: impl FnOnce() -> S) -> Self {
+    fn chain(&self, value: V, first: impl FnOnce() -> S, second: impl FnOnce() -> S) -> Self {
         if self.mask == 0 {
             return Self::constant(value);
         }
         let slope = first();
         let mut result = self.linear(value, |a| slope * a);
-        result.bend_square(&self, second());
+        result.bend_square(self, second());
         result
     }
 
     #[inline(always)]
-    fn chain2(self, other: Self, value: V, first: impl FnOnce() -> (S, S), second: impl FnOnce() -> (S, S, S)) -> Self {
+    fn chain2(&self, other: &Self, value: V, first: impl FnOnce() -> (S, S), second: impl FnOnce() -> (S, S, S)) -> Self {
         if self.mask | other.mask == 0 {
             return Self::constant(value);
         }
         let (p, q) = first();
-        let mut result = self.combine(&other, value, |a, b| p * a + q * b, |a| p * a, |b| q * b);
+        let mut result = self.combine(other, value, |a, b| p * a + q * b, |a| p * a, |b| q * b);
         let (pp, pq, qq) = second();
         if self.mask != 0 {
-            result.bend_square(&self, pp);
+            result.bend_square(self, pp);
         }
         if self.mask != 0 && other.mask != 0 {
-            result.bend_mixed(&self, &other, |a, b| pq * (a * b));
+            result.bend_mixed(self, other, |a, b| pq * (a * b));
         }
         if other.mask != 0 {
-            result.bend_square(&other, qq);
+            result.bend_square(other, qq);
         }
         result
     }
 
     #[inline(always)]
-    fn affine(self, value: V, k: f64) -> Self {
+    fn affine(&self, value: V, k: f64) -> Self {
         self.linear(value, |a| a.scale(k))
     }
 }
