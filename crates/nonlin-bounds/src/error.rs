@@ -91,6 +91,12 @@ pub enum BoundError {
         /// Which output.
         output: usize,
     },
+    /// No set was found that the solutions of a differential equation do not leave during the step; a shorter one helps.
+    #[error("no a-priori enclosure was found for a step of {step}")]
+    NoAPrioriEnclosure {
+        /// The step's largest magnitude.
+        step: f64,
+    },
     /// An operation on sets failed.
     #[error(transparent)]
     Set(#[from] SetError),

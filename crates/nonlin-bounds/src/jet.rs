@@ -102,6 +102,12 @@ impl Jet {
         &self.smoothness
     }
 
+    /// Exchanges the results of two jets; each keeps its buffers.
+    pub(crate) fn swap_results(&mut self, other: &mut Self) {
+        std::mem::swap(self, other);
+        std::mem::swap(&mut self.scratch, &mut other.scratch);
+    }
+
     /// All parts, to write to: values, Jacobian, Hessians, smoothness.
     pub fn parts_mut(&mut self) -> (&mut [Interval], &mut [Interval], &mut [Interval], &mut [Smoothness]) {
         (&mut self.values, &mut self.jacobian, &mut self.hessians, &mut self.smoothness)

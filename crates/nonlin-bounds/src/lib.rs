@@ -24,7 +24,7 @@ pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use image::polytopic_image;
-pub use integrators::{Euler, Heun, Rk4};
+pub use integrators::{Euler, Flow, Heun, Rk4};
 pub use jet::Jet;
 pub use scalars;
 pub use smoothness::Smoothness;

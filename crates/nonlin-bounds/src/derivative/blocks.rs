@@ -12,7 +12,7 @@ use crate::function::check_box;
 use crate::{BoundError, Function, Jet, Operand, Order, Smoothness};
 
 /// A number type that passes are made with.
-trait Pass: Scalar {
+pub(crate) trait Pass: Scalar {
     /// Most variables of a pass.
     const WIDTH: usize;
     /// The buffer for numbers of this type.
@@ -29,6 +29,60 @@ trait Pass: Scalar {
     fn second(&self, i: usize, j: usize) -> Interval;
 }
 
+/// What a pass evaluates: a function, or the flow of a differential equation.
+pub(crate) trait Evaluate<D> {
+    /// Number of outputs.
+    fn outputs(&self) -> usize;
+    /// Writes the outputs to `y`.
+    fn evaluate(&self, x: &[D], p: &[D], y: &mut [D]) -> Result<(), BoundError>;
+}
+
+impl<F: Function, D: Pass> Evaluate<D> for F {
+    fn outputs(&self) -> usize {
+        Function::outputs(self)
+    }
+    fn evaluate(&self, x: &[D], p: &[D], y: &mut [D]) -> Result<(), BoundError> {
+        self.eval(x, p, y);
+        Ok(())
+    }
+}
+
+/// A number type whose ranges can be compared and widened, all parts at once.
+pub(crate) trait Enclosure: Pass {
+    /// A quantity with the given ranges, from those of two others: of value and derivatives, part by part.
+    fn zip_ranges(&self, other: &Self, f: impl Fn(Interval, Interval) -> Interval) -> Self;
+    /// True if `f` holds for the ranges of all parts.
+    fn all_ranges(&self, other: &Self, f: impl Fn(Interval, Interval) -> bool) -> bool;
+}
+
+impl Enclosure for Decorated {
+    fn zip_ranges(&self, other: &Self, f: impl Fn(Interval, Interval) -> Interval) -> Self {
+        Self::variable(f(self.range(), other.range()))
+    }
+    fn all_ranges(&self, other: &Self, f: impl Fn(Interval, Interval) -> bool) -> bool {
+        f(self.range(), other.range())
+    }
+}
+
+impl<const N: usize> Enclosure for Dual<Interval, N, Decorated>
+where
+    Self: Pass,
+{
+    fn zip_ranges(&self, other: &Self, f: impl Fn(Interval, Interval) -> Interval) -> Self {
+        self.combine(
+            other,
+            self.value().zip_ranges(&other.value(), &f),
+            &f,
+            |a| f(a, Interval::ZERO),
+            |b| f(Interval::ZERO, b),
+        )
+    }
+    fn all_ranges(&self, other: &Self, f: impl Fn(Interval, Interval) -> bool) -> bool {
+        self.value().all_ranges(&other.value(), &f)
+            && self.gradient().iter().zip(other.gradient()).all(|(&a, &b)| f(a, b))
+    }
+}
+
 /// Buffers of all passes, one for each number type; they hold no result.
 #[derive(Debug, Default)]
 pub(crate) struct Scratch {
@@ -39,6 +93,8 @@ pub(crate) struct Scratch {
     second2: Vec<Second<Interval, 2, 3, Decorated>>,
     second4: Vec<Second<Interval, 4, 10, Decorated>>,
     second8: Vec<Second<Interval, 8, 36, Decorated>>,
+    /// Results of an evaluation that can fail, until it has not.
+    pub(crate) draft: Option<Box<Jet>>,
 }
 
 impl Pass for Decorated {
@@ -108,99 +164,117 @@ pub(crate) fn enclose<F: Function>(
 ) -> Result<(), BoundError> {
     check_box(Operand::Variables, f.variables(), x)?;
     check_box(Operand::Parameters, f.parameters(), p)?;
-    jet.reset(order, x.len(), f.outputs());
-    let mut scratch = std::mem::take(&mut jet.scratch);
-    let job = Job { f, x, p, jet, scratch: &mut scratch };
     match (order, x.len()) {
-        (Order::Value, _) | (_, 0) => job.values(),
-        (Order::Jacobian, ..=2) => job.jacobian::<Dual<Interval, 2, Decorated>>(),
-        (Order::Jacobian, ..=4) => job.jacobian::<Dual<Interval, 4, Decorated>>(),
-        (Order::Jacobian, _) => job.jacobian::<Dual<Interval, 8, Decorated>>(),
-        (Order::Hessian, ..=2) => job.hessians::<Second<Interval, 2, 3, Decorated>>(),
-        (Order::Hessian, ..=4) => job.hessians::<Second<Interval, 4, 10, Decorated>>(),
-        (Order::Hessian, _) => job.hessians::<Second<Interval, 8, 36, Decorated>>(),
+        (Order::Value, _) | (_, 0) => values(f, order, x, p, jet),
+        (Order::Jacobian, ..=2) => jacobian::<_, Dual<Interval, 2, Decorated>>(f, x, p, jet),
+        (Order::Jacobian, ..=4) => jacobian::<_, Dual<Interval, 4, Decorated>>(f, x, p, jet),
+        (Order::Jacobian, _) => jacobian::<_, Dual<Interval, 8, Decorated>>(f, x, p, jet),
+        (Order::Hessian, ..=2) => hessians::<_, Second<Interval, 2, 3, Decorated>>(f, x, p, jet),
+        (Order::Hessian, ..=4) => hessians::<_, Second<Interval, 4, 10, Decorated>>(f, x, p, jet),
+        (Order::Hessian, _) => hessians::<_, Second<Interval, 8, 36, Decorated>>(f, x, p, jet),
     }
-    jet.scratch = scratch;
+}
+
+/// Ranges only.
+pub(crate) fn values<E: Evaluate<Decorated>>(
+    f: &E,
+    order: Order,
+    x: &[Interval],
+    p: &[Interval],
+    jet: &mut Jet,
+) -> Result<(), BoundError> {
+    jet.reset(order, x.len(), f.outputs());
+    pass::<E, Decorated>(f, x, p, &[], jet)
+}
+
+/// Ranges and Jacobian, a pass for every block of variables.
+pub(crate) fn jacobian<E: Evaluate<D>, D: Pass>(
+    f: &E,
+    x: &[Interval],
+    p: &[Interval],
+    jet: &mut Jet,
+) -> Result<(), BoundError> {
+    jet.reset(Order::Jacobian, x.len(), f.outputs());
+    let mut block = [0; 8];
+    for start in (0..x.len()).step_by(D::WIDTH) {
+        let width = fill(&mut block, start..x.len().min(start + D::WIDTH), 0);
+        pass::<E, D>(f, x, p, &block[..width], jet)?;
+    }
     Ok(())
 }
 
-/// One call: the function, where it is evaluated, and where the results go.
-struct Job<'a, F> {
-    f: &'a F,
-    x: &'a [Interval],
-    p: &'a [Interval],
-    jet: &'a mut Jet,
-    scratch: &'a mut Scratch,
+/// Ranges, Jacobian and Hessians, a pass for every pair of blocks.
+fn hessians<E: Evaluate<D>, D: Pass>(f: &E, x: &[Interval], p: &[Interval], jet: &mut Jet) -> Result<(), BoundError> {
+    let n = x.len();
+    jet.reset(Order::Hessian, n, f.outputs());
+    let mut block = [0; 8];
+    if n <= D::WIDTH {
+        let width = fill(&mut block, 0..n, 0);
+        return pass::<E, D>(f, x, p, &block[..width], jet);
+    }
+    let half = D::WIDTH / 2;
+    for low in (0..n).step_by(half) {
+        for high in (low + half..n).step_by(half) {
+            let width = fill(&mut block, low..low + half, 0);
+            let width = fill(&mut block, high..n.min(high + half), width);
+            pass::<E, D>(f, x, p, &block[..width], jet)?;
+        }
+    }
+    Ok(())
 }
 
-impl<F: Function> Job<'_, F> {
-    fn values(mut self) {
-        self.pass::<Decorated>(&[]);
+/// Evaluates with derivatives by the variables of `block`, in ascending order, and stores all that is found.
+fn pass<E: Evaluate<D>, D: Pass>(
+    f: &E,
+    x: &[Interval],
+    p: &[Interval],
+    block: &[usize],
+    jet: &mut Jet,
+) -> Result<(), BoundError> {
+    let n = x.len();
+    let mut scratch = std::mem::take(&mut jet.scratch);
+    let buffer = D::buffer(&mut scratch);
+    buffer.clear();
+    buffer.extend(x.iter().map(|&x| D::seed(Decorated::variable(x), None)));
+    for (position, &index) in block.iter().enumerate() {
+        buffer[index] = D::seed(Decorated::variable(x[index]), Some(position));
     }
-
-    fn jacobian<D: Pass>(mut self) {
-        let mut block = [0; 8];
-        for start in (0..self.x.len()).step_by(D::WIDTH) {
-            let width = fill(&mut block, start..self.x.len().min(start + D::WIDTH), 0);
-            self.pass::<D>(&block[..width]);
-        }
+    buffer.extend(p.iter().map(|&p| D::seed(Decorated::constant(p), None)));
+    buffer.resize(n + p.len() + f.outputs(), D::zero());
+    let (x, rest) = buffer.split_at_mut(n);
+    let (p, y) = rest.split_at_mut(p.len());
+    let result = f.evaluate(x, p, y);
+    if result.is_ok() {
+        store(y, n, block, jet);
     }
+    jet.scratch = scratch;
+    result
+}
 
-    fn hessians<D: Pass>(mut self) {
-        let n = self.x.len();
-        let mut block = [0; 8];
-        if n <= D::WIDTH {
-            let width = fill(&mut block, 0..n, 0);
-            return self.pass::<D>(&block[..width]);
+/// Stores value, derivatives by the variables of `block` and smoothness of every output.
+fn store<D: Pass>(outputs: &[D], n: usize, block: &[usize], jet: &mut Jet) {
+    let entries = n * (n + 1) / 2;
+    let (values, jacobian, hessians, smoothness) = jet.parts_mut();
+    for (output, y) in outputs.iter().enumerate() {
+        let value = y.value();
+        values[output] = value.range();
+        smoothness[output] = value.smoothness();
+        if jacobian.is_empty() {
+            continue;
         }
-        let half = D::WIDTH / 2;
-        for low in (0..n).step_by(half) {
-            for high in (low + half..n).step_by(half) {
-                let width = fill(&mut block, low..low + half, 0);
-                let width = fill(&mut block, high..n.min(high + half), width);
-                self.pass::<D>(&block[..width]);
-            }
-        }
-    }
-
-    /// Evaluates with derivatives by the variables of `block`, in ascending order, and stores all that is found.
-    fn pass<D: Pass>(&mut self, block: &[usize]) {
-        let (n, m) = (self.x.len(), self.f.outputs());
-        let buffer = D::buffer(self.scratch);
-        buffer.clear();
-        buffer.extend(self.x.iter().map(|&x| D::seed(Decorated::variable(x), None)));
+        let row = &mut jacobian[output * n..][..n];
         for (position, &index) in block.iter().enumerate() {
-            buffer[index] = D::seed(Decorated::variable(self.x[index]), Some(position));
+            let known = value.smoothness() >= Smoothness::C1 || !y.depends_on(position);
+            row[index] = if known { y.first(position) } else { Interval::ENTIRE };
         }
-        buffer.extend(self.p.iter().map(|&p| D::seed(Decorated::constant(p), None)));
-        buffer.resize(n + self.p.len() + m, D::zero());
-        let (x, rest) = buffer.split_at_mut(n);
-        let (p, y) = rest.split_at_mut(self.p.len());
-        self.f.eval::<D>(x, p, y);
-
-        let (values, jacobian, hessians, smoothness) = self.jet.parts_mut();
-        for (output, y) in y.iter().enumerate() {
-            let value = y.value();
-            values[output] = value.range();
-            smoothness[output] = value.smoothness();
-            if jacobian.is_empty() {
-                continue;
-            }
-            let row = &mut jacobian[output * n..][..n];
-            for (position, &index) in block.iter().enumerate() {
-                let known = value.smoothness() >= Smoothness::C1 || !y.depends_on(position);
-                row[index] = if known { y.first(position) } else { Interval::ENTIRE };
-            }
-            if hessians.is_empty() {
-                continue;
-            }
-            let entries = n * (n + 1) / 2;
-            let hessian = &mut hessians[output * entries..][..entries];
-            for (i, &row) in block.iter().enumerate() {
-                for (j, &column) in block.iter().enumerate().skip(i) {
-                    let known = value.smoothness() >= Smoothness::C2 || !(y.depends_on(i) && y.depends_on(j));
-                    hessian[packed(n, row, column)] = if known { y.second(i, j) } else { Interval::ENTIRE };
-                }
+        if hessians.is_empty() {
+            continue;
+        }
+        let hessian = &mut hessians[output * entries..][..entries];
+        for (i, &row) in block.iter().enumerate() {
+            for (j, &column) in block.iter().enumerate().skip(i) {
+                let known = value.smoothness() >= Smoothness::C2 || !(y.depends_on(i) && y.depends_on(j));
+                hessian[packed(n, row, column)] = if known { y.second(i, j) } else { Interval::ENTIRE };
             }
         }
     }

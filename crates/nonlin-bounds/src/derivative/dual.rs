@@ -91,7 +91,7 @@ impl<S: Scalar, const N: usize, V: Scalar + Into<S>> Dual<S, N, V> {
 
     /// `value` with the gradient `sum over the terms`, by whom each variable concerns: both, the first, the second.
     #[inline(always)]
-    fn combine(
+    pub(super) fn combine(
         &self,
         other: &Self,
         value: V,

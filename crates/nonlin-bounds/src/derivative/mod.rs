@@ -9,7 +9,7 @@ mod dual;
 mod elementary;
 mod second;
 
-pub(crate) use blocks::{Scratch, enclose};
+pub(crate) use blocks::{Enclosure, Evaluate, Scratch, enclose, jacobian, values};
 pub use decorated::Decorated;
 pub use dual::Dual;
 pub use second::Second;

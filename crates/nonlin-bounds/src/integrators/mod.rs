@@ -5,10 +5,13 @@
 //! models: functions again, that claim nothing about the differential equation. [`Flow`] does claim it.
 
 mod euler;
+mod flow;
 mod heun;
 mod rk4;
+mod series;
 
 pub use euler::Euler;
+pub use flow::Flow;
 pub use heun::Heun;
 pub use rk4::Rk4;
 

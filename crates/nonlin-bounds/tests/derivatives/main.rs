@@ -4,4 +4,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod blocks;
+mod exact;
 mod examples;
+mod peer;
+mod smooth;
