@@ -38,11 +38,14 @@ mod matrix_nalgebra;
 mod ops;
 mod polytope;
 mod reduce;
+mod support_function;
 mod wedge;
 mod workspace;
 mod zonotope;
 
-pub use constrained_zonotope::{Complexity, ConstrainedZonotope, Contradiction, Emptiness, Optimizer};
+pub use constrained_zonotope::{
+    Complexity, ConstrainedZonotope, Contradiction, Directions, Emptiness, Optimizer, Reencoding, TemplateWidths,
+};
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;
@@ -51,5 +54,6 @@ pub use ops::membership::{FACET_LIMIT, Membership};
 pub use ops::volume::MINOR_LIMIT;
 pub use polytope::{Feasibility, HPolytope, MAX_FACES, VPolytope};
 pub use reduce::Reduction;
+pub use support_function::SupportFunction;
 pub use workspace::Workspace;
 pub use zonotope::Zonotope;

@@ -1,6 +1,7 @@
 //! `tidy`: the rules of the project that a compiler does not check.
 
 mod edges;
+mod licenses;
 mod reasons;
 mod sources;
 
@@ -12,9 +13,10 @@ type Finding = String;
 /// Checks all rules and lists every finding.
 pub(crate) fn run() -> Result<(), String> {
     println!("--- tidy");
-    let metadata = metadata()?;
-    let mut findings = edges::check(&metadata);
-    findings.extend(reasons::check(&read("Cargo.toml")?, &read("docs/ARCHITECTURE.md")?));
+    let ours = metadata(&["--no-deps"])?;
+    let mut findings = edges::check(&ours);
+    findings.extend(reasons::check(&read("Cargo.toml")?, &ours, &read("docs/ARCHITECTURE.md")?));
+    findings.extend(licenses::check(&metadata(&[])?, &read("deny.toml")?));
     findings.extend(sources::check()?);
     if findings.is_empty() {
         return Ok(());
@@ -25,9 +27,10 @@ pub(crate) fn run() -> Result<(), String> {
     Err(format!("tidy found {} broken rules", findings.len()))
 }
 
-/// The packages of the workspace and what they depend on, as cargo sees them.
-fn metadata() -> Result<serde_json::Value, String> {
-    let output = cargo(&["metadata", "--no-deps", "--format-version", "1"])
+/// Packages and what they depend on, as cargo sees them: of the whole graph, or with `--no-deps` of the workspace.
+fn metadata(arguments: &[&str]) -> Result<serde_json::Value, String> {
+    let output = cargo(&["metadata", "--format-version", "1"])
+        .args(arguments)
         .output()
         .map_err(|error| format!("cargo metadata could not be started: {error}"))?;
     if !output.status.success() {

@@ -1,0 +1,63 @@
+//! [`Function`], what a user writes, and [`DynFunction`], what the enclosures take.
+
+use scalars::{Interval, Scalar};
+
+use crate::{BoundError, Jet};
+
+/// A function `y = f(x, p)`, `R^n x R^q -> R^m`, written once for every number type.
+///
+/// `x` are the variables: what a set is about, and what derivatives are taken by (states and noises stacked). `p` are the parameters:
+/// known numbers, inputs, times, which cost no derivatives; over intervals a parameter may have a width. Dimensions are values, so
+/// that a model may be of any size.
+///
+/// The body must not branch on values. Constants that are not `f64` numbers enter as `S::ratio(1, 7)`, `S::decimal("0.1")`, `S::pi()`.
+pub trait Function {
+    /// Number `n` of variables.
+    fn variables(&self) -> usize;
+    /// Number `q` of parameters.
+    fn parameters(&self) -> usize {
+        0
+    }
+    /// Number `m` of outputs.
+    fn outputs(&self) -> usize;
+    /// Writes `f(x, p)` to `y`; the slices have the lengths `n`, `q` and `m`.
+    fn eval<S: Scalar>(&self, x: &[S], p: &[S], y: &mut [S]);
+}
+
+/// Highest derivatives asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Order {
+    /// The range only.
+    Value,
+    /// The range and the Jacobian.
+    Jacobian,
+    /// The range, the Jacobian and the Hessians.
+    Hessian,
+}
+
+/// The object-safe twin of [`Function`], implemented for every one of them.
+///
+/// A user whose code runs over `f64` only, but who can bound its Jacobian, implements it by hand and refuses
+/// [`Order::Hessian`] with [`BoundError::OrderNotAvailable`].
+pub trait DynFunction {
+    /// Number `n` of variables.
+    fn variables(&self) -> usize;
+    /// Number `q` of parameters.
+    fn parameters(&self) -> usize;
+    /// Number `m` of outputs.
+    fn outputs(&self) -> usize;
+    /// `f(x, p)` in floating point: for simulation and for choosing points, not a bound.
+    ///
+    /// # Errors
+    /// [`BoundError::Dimension`].
+    fn value(&self, x: &[f64], p: &[f64], y: &mut [f64]) -> Result<(), BoundError>;
+    /// Encloses value and derivatives up to `order` over the box `x` for all parameters in `p`, and says how smooth each output is
+    /// proven to be there. Derivatives of an output that is not smooth enough for them are the whole line.
+    ///
+    /// **Guarantee:** every entry of the jet contains the exact quantity at every point of the box at which it exists.
+    ///
+    /// # Errors
+    /// [`BoundError::Dimension`], [`BoundError::EmptyInterval`], [`BoundError::NonFinite`] for an unbounded interval,
+    /// [`BoundError::OrderNotAvailable`].
+    fn enclose(&self, order: Order, x: &[Interval], p: &[Interval], jet: &mut Jet) -> Result<(), BoundError>;
+}

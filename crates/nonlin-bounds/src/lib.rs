@@ -1,0 +1,23 @@
+//! Ranges, derivatives and images of sets under nonlinear functions, remainders and rounding included.
+//!
+//! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
+//! enclosure of this crate takes.
+
+mod error;
+mod expanded;
+mod expansion;
+mod function;
+mod image;
+mod jet;
+mod smoothness;
+mod solution;
+mod workspace;
+
+pub use error::{BoundError, Operand};
+pub use expansion::Expansion;
+pub use function::{DynFunction, Function, Order};
+pub use image::polytopic_image;
+pub use jet::Jet;
+pub use smoothness::Smoothness;
+pub use solution::{polytopic_solution, polytopic_solution_lift};
+pub use workspace::Workspace;
