@@ -31,15 +31,15 @@ pub(crate) fn row(random: &mut Random, through: &[f64], others: &Problem) -> (Ve
         _ => (0..n).map(|_| random.normal()).collect(),
     };
     row.iter_mut().for_each(|a| *a *= scale);
-    if norm1(row) > 1e300 {
+    if norm1(&row) > 1e300 {
         row.fill(1.0);
     }
-    let norm = norm1(row);
+    let norm = norm1(&row);
     let middle: f64 = match random.below(8) {
         0 => norm,
         1 => norm.next_up(),
         2 => norm * (1.0 + random.scale(-16.0, -1.0)),
-        _ => dot(row, through),
+        _ => dot(&row, through),
     };
     let (lower, upper) = match random.below(9) {
         0 => (middle, middle.next_up()),
@@ -86,7 +86,7 @@ pub(crate) fn objective(random: &mut Random, problem: &Problem) -> Vec<f64> {
         _ => (0..n).map(|_| random.normal()).collect(),
     };
     c.iter_mut().for_each(|c| *c *= scale);
-    if norm1(c) > 1e306 {
+    if norm1(&c) > 1e306 {
         c.fill(-1.0);
     }
     c

@@ -25,7 +25,7 @@ fn check_answer(solver: &mut Solver, c: &[f64], optimum: Option<&BigRational>, l
 #[test]
 fn nasty_problems_are_answered_validly() {
     let (mut answers, mut settled) = (0, 0);
-    for seed in 0..cases(1500) as u64 {
+    for seed in 0..cases(800) as u64 {
         let mut random = Random::new(seed + 10_000);
         let (n, m) = (1 + random.below(5), random.below(6));
         let problem = nasty::problem(&mut random, n, m);
@@ -92,7 +92,7 @@ fn large_nasty_problems_end() {
             let mut problem = Problem::new(n).unwrap();
             for _ in 0..m {
                 let (row, ..) = nasty::row(&mut random, &through, &problem);
-                let norm = norm1(row);
+                let norm = norm1(&row);
                 let middle = dot(&row, &through);
                 // Rounding of the middle is far below the width: the point satisfies every row.
                 let width = norm * random.scale(-12.0, -2.0) + 1e-300;
@@ -102,7 +102,7 @@ fn large_nasty_problems_end() {
             for _ in 0..3 {
                 let c: Vec<f64> = (0..n).map(|_| random.normal()).collect();
                 let at_point = dot(&c, &through);
-                let norm = norm1(c);
+                let norm = norm1(&c);
                 let solution = solver.maximize(&c).unwrap();
                 assert_ne!(solution.status, Status::Empty, "{n}x{m} seed {seed}");
                 assert!(solution.bound >= at_point - 1e-13 * norm, "{n}x{m} seed {seed}");

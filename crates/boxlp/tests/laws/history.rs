@@ -85,7 +85,7 @@ fn long_runs_stay_tight() {
         let mut pivots = 0;
         for _ in 0..objectives {
             let c: Vec<f64> = (0..size.1).map(|_| random.normal()).collect();
-            let norm = norm1(c);
+            let norm = norm1(&c);
             let solution = solver.maximize(&c).unwrap();
             assert_eq!(solution.status, Status::Optimal);
             assert!(solution.gap() <= 1e-11 * norm, "{kind:?}: gap {:e} after {pivots} pivots", solution.gap() / norm);
