@@ -3,6 +3,7 @@
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
 
+mod contract;
 mod error;
 mod expanded;
 mod function;
@@ -10,12 +11,15 @@ mod image;
 mod jet;
 mod smoothness;
 mod solution;
+mod tape;
 mod workspace;
 
+pub use contract::{Conflict, Contraction, ForwardBackward, IntervalNewton};
 pub use error::{BoundError, Operand};
 pub use function::{DynFunction, Function, Order};
 pub use image::polytopic_image;
 pub use jet::Jet;
 pub use smoothness::Smoothness;
 pub use solution::{polytopic_solution, polytopic_solution_lift};
+pub use tape::Tape;
 pub use workspace::Workspace;

@@ -9,6 +9,8 @@ pub struct Workspace {
     pub sets: setrep::Workspace,
     /// The derivatives of the function at hand.
     pub(crate) jet: Jet,
+    /// The buffers of the contractors.
+    pub(crate) contract: crate::contract::Scratch,
 }
 
 impl Workspace {
