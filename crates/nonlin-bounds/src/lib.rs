@@ -4,6 +4,7 @@
 //! enclosure of this crate takes.
 
 mod contract;
+mod derivative;
 mod error;
 mod expanded;
 mod function;
@@ -15,6 +16,7 @@ mod tape;
 mod workspace;
 
 pub use contract::{Conflict, Contraction, ForwardBackward, IntervalNewton};
+pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use function::{DynFunction, Function, Order};
 pub use image::polytopic_image;

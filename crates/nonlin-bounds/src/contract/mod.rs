@@ -17,7 +17,7 @@ pub use newton::IntervalNewton;
 
 use scalars::Interval;
 
-use crate::tape::check_length;
+use crate::function::check_length;
 use crate::{BoundError, Operand};
 
 /// What a contractor has found out. Only [`ProvenEmpty`](Self::ProvenEmpty) leaves the box as it was.

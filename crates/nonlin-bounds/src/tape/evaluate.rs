@@ -5,6 +5,7 @@ use scalars::Scalar;
 use super::Tape;
 use super::node::{Node, Unary};
 use super::pool::with_buffer;
+use crate::function::check_length;
 use crate::{BoundError, Function, Operand};
 
 impl Tape {
@@ -70,11 +71,6 @@ pub(crate) fn sine_with_cosine(node: Node, next: Option<&Node>) -> Option<u32> {
         Node::Unary(Unary::Sin, a) if next == Some(&Node::Unary(Unary::Cos, a)) => Some(a),
         _ => None,
     }
-}
-
-/// Error of a slice of the wrong length.
-pub(crate) fn check_length(operand: Operand, expected: usize, found: usize) -> Result<(), BoundError> {
-    if expected == found { Ok(()) } else { Err(BoundError::Dimension { operand, expected, found }) }
 }
 
 impl Function for Tape {

@@ -14,7 +14,7 @@ mod symbol;
 use scalars::{Interval, Scalar};
 
 use crate::Function;
-pub(crate) use evaluate::{check_length, sine_with_cosine};
+pub(crate) use evaluate::sine_with_cosine;
 use node::Node;
 use symbol::{Recording, Symbol};
 
