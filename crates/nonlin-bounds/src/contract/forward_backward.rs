@@ -145,7 +145,11 @@ impl Slots {
 
     fn sweep(&mut self, tape: &Tape, y: &[Interval]) -> Result<(), Emptied> {
         self.pass += 1;
-        if self.pass == 1 { self.first_forward(tape)? } else { self.forward(tape)? }
+        if self.pass == 1 {
+            self.first_forward(tape)?
+        } else {
+            self.forward(tape)?
+        }
         self.pass += 1;
         for (output, (&slot, &required)) in tape.output_slots().iter().zip(y).enumerate() {
             self.narrow(slot, self.values[slot as usize].intersection(required), output as u32)?;

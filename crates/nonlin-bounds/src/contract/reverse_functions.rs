@@ -29,9 +29,13 @@ pub(super) fn cos(z: Interval, a: Interval) -> Interval {
         return a;
     }
     let angle = z.acos();
-    periodic(a, z.is_empty(), |j| {
-        if j % 2.0 == 0.0 { multiple_of_pi(j) + angle } else { multiple_of_pi(j + 1.0) - angle }
-    })
+    periodic(
+        a,
+        z.is_empty(),
+        |j| {
+            if j % 2.0 == 0.0 { multiple_of_pi(j) + angle } else { multiple_of_pi(j + 1.0) - angle }
+        },
+    )
 }
 
 /// `a` of `z = tan(a)`: the pieces `j pi + atan(z)`.

@@ -263,10 +263,12 @@ impl Scalar for Decorated {
         self.map(self.range.sign()).limited(limit)
     }
     fn min(self, other: Self) -> Self {
-        self.join(other, self.range.min(other.range)).limited(if_smooth_or_defined(self.range.disjoint(&other.range), true))
+        self.join(other, self.range.min(other.range))
+            .limited(if_smooth_or_defined(self.range.disjoint(&other.range), true))
     }
     fn max(self, other: Self) -> Self {
-        self.join(other, self.range.max(other.range)).limited(if_smooth_or_defined(self.range.disjoint(&other.range), true))
+        self.join(other, self.range.max(other.range))
+            .limited(if_smooth_or_defined(self.range.disjoint(&other.range), true))
     }
     fn stumpff(self, k: usize) -> Self {
         self.map(self.range.stumpff(k)).limited(if_smooth(k <= 20))

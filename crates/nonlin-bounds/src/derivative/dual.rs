@@ -174,13 +174,7 @@ impl<S: Scalar, const N: usize, V: Scalar + Into<S>> Chain for Dual<S, N, V> {
     }
 
     #[inline(always)]
-    fn chain2(
-        self,
-        other: Self,
-        value: V,
-        first: impl FnOnce() -> (S, S),
-        _: impl FnOnce() -> (S, S, S),
-    ) -> Self {
+    fn chain2(self, other: Self, value: V, first: impl FnOnce() -> (S, S), _: impl FnOnce() -> (S, S, S)) -> Self {
         if self.mask | other.mask == 0 {
             return Self::constant(value);
         }

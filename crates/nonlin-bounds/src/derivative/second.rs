@@ -253,13 +253,7 @@ impl<S: Scalar, const N: usize, const H: usize, V: Scalar + Into<S>> Chain for S
     }
 
     #[inline(always)]
-    fn chain2(
-        self,
-        other: Self,
-        value: V,
-        first: impl FnOnce() -> (S, S),
-        second: impl FnOnce() -> (S, S, S),
-    ) -> Self {
+    fn chain2(self, other: Self, value: V, first: impl FnOnce() -> (S, S), second: impl FnOnce() -> (S, S, S)) -> Self {
         if self.mask | other.mask == 0 {
             return Self::constant(value);
         }

@@ -168,7 +168,9 @@ impl Printer<'_> {
 fn binding(node: Node) -> Binding {
     match node {
         Node::Binary(Binary::Add | Binary::Sub, ..) | Node::Shift(..) | Node::Unary(Unary::Neg, _) => Binding::Sum,
-        Node::Binary(Binary::Mul | Binary::Div, ..) | Node::Scale(..) | Node::Unary(Unary::Recip, _) => Binding::Product,
+        Node::Binary(Binary::Mul | Binary::Div, ..) | Node::Scale(..) | Node::Unary(Unary::Recip, _) => {
+            Binding::Product
+        }
         Node::Unary(Unary::Sqr, _) | Node::Power(..) => Binding::Power,
         _ => Binding::Atom,
     }

@@ -16,13 +16,7 @@ impl Tape {
     ///
     /// # Errors
     /// [`BoundError::Dimension`].
-    pub fn eval_with<S: Scalar>(
-        &self,
-        x: &[S],
-        p: &[S],
-        y: &mut [S],
-        buffer: &mut Vec<S>,
-    ) -> Result<(), BoundError> {
+    pub fn eval_with<S: Scalar>(&self, x: &[S], p: &[S], y: &mut [S], buffer: &mut Vec<S>) -> Result<(), BoundError> {
         self.check(x.len(), p.len())?;
         check_length(Operand::Outputs, self.outputs.len(), y.len())?;
         self.run(x, p, buffer);

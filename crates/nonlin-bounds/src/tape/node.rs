@@ -140,10 +140,9 @@ impl Node {
     /// Defined for all real operands.
     pub(crate) fn is_total(self) -> bool {
         match self {
-            Self::Unary(operation, _) => !matches!(
-                operation,
-                Unary::Recip | Unary::Sqrt | Unary::Ln | Unary::Tan | Unary::Asin | Unary::Acos
-            ),
+            Self::Unary(operation, _) => {
+                !matches!(operation, Unary::Recip | Unary::Sqrt | Unary::Ln | Unary::Tan | Unary::Asin | Unary::Acos)
+            }
             Self::Binary(operation, ..) => !matches!(operation, Binary::Div | Binary::Atan2),
             Self::Scale(_, k) | Self::Shift(_, k) => k.get().is_finite(),
             Self::Power(_, n) => n >= 0,

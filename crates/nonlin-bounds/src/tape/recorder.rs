@@ -83,7 +83,11 @@ impl Recorder {
             Node::Binary(Binary::Sub, a, b) => self.sub(a, b),
             Node::Binary(Binary::Mul, a, b) => self.mul(a, b),
             Node::Binary(operation @ (Binary::Min | Binary::Max), a, b) => {
-                if a == b { a } else { self.commutative(operation, a, b) }
+                if a == b {
+                    a
+                } else {
+                    self.commutative(operation, a, b)
+                }
             }
             Node::Binary(Binary::Div, a, b) => match self.point(b) {
                 Some(1.0) => a,

@@ -29,7 +29,12 @@ pub(crate) fn each(visitor: &mut impl Visitor) {
     visitor.visit(PlanarOutput, domain("planar output", &[5.0, 0.5], &[3.0, 3.0], &[]));
     visitor.visit(
         Attitude,
-        domain("attitude", &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0], &[0.5, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1], &[0.3, -0.1, 0.05]),
+        domain(
+            "attitude",
+            &[0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            &[0.5, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1],
+            &[0.3, -0.1, 0.05],
+        ),
     );
     visitor.visit(AttitudeOutput, domain("attitude output", &[0.0, 1.0, 0.0, 0.0], &[1.0; 4], &[]));
     visitor.visit(UnitNorm { dim: 4 }, domain("unit norm", &[0.0, 1.0, 0.0, 0.0], &[1.0; 4], &[]));

@@ -14,9 +14,18 @@ impl Visitor for Smooth {
         let p: Vec<Interval> = domain.parameters.iter().map(|&p| Interval::point(p)).collect();
         for order in [Order::Value, Order::Jacobian, Order::Hessian] {
             function.enclose(order, &cube, &p, &mut self.0).unwrap();
-            assert!(self.0.smoothness().iter().all(|&s| s == Smoothness::C2), "{}: {:?}", domain.name, self.0.smoothness());
+            assert!(
+                self.0.smoothness().iter().all(|&s| s == Smoothness::C2),
+                "{}: {:?}",
+                domain.name,
+                self.0.smoothness()
+            );
             let bounded = |entries: &[Interval]| entries.iter().all(Interval::is_bounded);
-            assert!(bounded(self.0.values()) && bounded(self.0.jacobian()) && bounded(self.0.hessians()), "{}", domain.name);
+            assert!(
+                bounded(self.0.values()) && bounded(self.0.jacobian()) && bounded(self.0.hessians()),
+                "{}",
+                domain.name
+            );
         }
         let mut y = vec![0.0; function.outputs()];
         function.value(&domain.center, &domain.parameters, &mut y).unwrap();
