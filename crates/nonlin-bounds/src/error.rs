@@ -62,6 +62,12 @@ pub enum BoundError {
         /// Which entry.
         index: usize,
     },
+    /// An expansion point outside the box that its enclosure is for.
+    #[error("expansion point: entry {index} lies outside the hull")]
+    PointOutside {
+        /// Which entry.
+        index: usize,
+    },
     /// The function is not proven smooth enough on the box for the theorem behind the method.
     #[error("output {output} is only proven {found:?} on the box, {required:?} is needed")]
     NotSmooth {
@@ -87,4 +93,11 @@ pub enum BoundError {
     /// An operation on sets failed.
     #[error(transparent)]
     Set(#[from] SetError),
+}
+
+impl BoundError {
+    /// `Ok` if `found == expected`.
+    pub(crate) fn check_size(operand: Operand, expected: usize, found: usize) -> Result<(), Self> {
+        if expected == found { Ok(()) } else { Err(Self::Dimension { operand, expected, found }) }
+    }
 }

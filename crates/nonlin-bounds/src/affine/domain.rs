@@ -1,0 +1,70 @@
+//! [`Domain`]: where a function is enclosed.
+
+use scalars::Interval;
+
+use crate::{BoundError, DynFunction, Operand};
+
+/// Where a function `f(x, p)` is enclosed: a box of its variables, an expansion point in it, the parameters, and which of the
+/// variables are noises.
+#[derive(Debug, Clone, Copy)]
+pub struct Domain<'a> {
+    pub(crate) hull: &'a [Interval],
+    pub(crate) at: &'a [f64],
+    pub(crate) parameters: &'a [Interval],
+    noises: usize,
+}
+
+impl<'a> Domain<'a> {
+    /// The box `hull` and the expansion point `at`; no parameters, no noises.
+    ///
+    /// The middle of the box is the best point for every form but in special cases: it makes the remainders least.
+    #[must_use]
+    pub fn new(hull: &'a [Interval], at: &'a [f64]) -> Self {
+        Self { hull, at, parameters: &[], noises: 0 }
+    }
+
+    /// The same with parameters `p`, which may have a width.
+    #[must_use]
+    pub fn with_parameters(self, parameters: &'a [Interval]) -> Self {
+        Self { parameters, ..self }
+    }
+
+    /// The same, where the last `noises` variables are noises `w` (or `v`): the mean value form then takes derivatives by them with the
+    /// states at the expansion point, so that functions affine in the noises, `phi(x) + Phi(x) w`, are enclosed exactly in `w`.
+    ///
+    /// `f(x, w) = f(gamma) + f_w(gamma_x, W) (w - gamma_w) + f_x(X, W) (x - gamma_x)`.
+    ///
+    /// **Source:** paper 003, Propositions 1 and 3 with Remarks 4, 6 and 8.
+    #[must_use]
+    pub fn with_noises(self, noises: usize) -> Self {
+        Self { noises, ..self }
+    }
+
+    /// The number of variables that are not noises.
+    pub(crate) fn states(&self) -> usize {
+        self.hull.len().saturating_sub(self.noises)
+    }
+
+    /// `Ok` if box, point and parameters fit the function.
+    pub(crate) fn check(&self, f: &dyn DynFunction) -> Result<(), BoundError> {
+        let n = f.variables();
+        BoundError::check_size(Operand::Hull, n, self.hull.len())?;
+        BoundError::check_size(Operand::ExpansionPoint, n, self.at.len())?;
+        BoundError::check_size(Operand::Parameters, f.parameters(), self.parameters.len())?;
+        if let Some(index) = self.at.iter().position(|x| !x.is_finite()) {
+            return Err(BoundError::NonFinite { operand: Operand::ExpansionPoint, index });
+        }
+        for (index, side) in self.hull.iter().enumerate() {
+            if side.is_empty() {
+                return Err(BoundError::EmptyInterval { operand: Operand::Hull, index });
+            }
+            if !side.is_bounded() {
+                return Err(BoundError::NonFinite { operand: Operand::Hull, index });
+            }
+            if !side.contains(self.at[index]) {
+                return Err(BoundError::PointOutside { index });
+            }
+        }
+        Ok(())
+    }
+}
