@@ -62,12 +62,6 @@ pub enum BoundError {
         /// Which entry.
         index: usize,
     },
-    /// An expansion point outside the box that its enclosure is for.
-    #[error("expansion point: entry {index} lies outside the hull")]
-    PointOutside {
-        /// Which entry.
-        index: usize,
-    },
     /// The function is not proven smooth enough on the box for the theorem behind the method.
     #[error("output {output} is only proven {found:?} on the box, {required:?} is needed")]
     NotSmooth {

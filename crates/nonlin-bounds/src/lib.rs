@@ -5,14 +5,19 @@
 
 mod affine;
 mod error;
+mod expanded;
 mod function;
+mod image;
 mod jet;
 mod smoothness;
+mod solution;
 mod workspace;
 
 pub use affine::{AffineEnclosure, Domain, Form};
 pub use error::{BoundError, Operand};
 pub use function::{DynFunction, Function, Order};
+pub use image::{GeneratorSet, affine_image, polytopic_image};
 pub use jet::Jet;
 pub use smoothness::Smoothness;
+pub use solution::{Rows, polytopic_solution, polytopic_solution_lift};
 pub use workspace::Workspace;

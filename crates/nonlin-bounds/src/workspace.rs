@@ -1,9 +1,9 @@
 //! Scratch memory that the caller owns, so that enclosures in steady state allocate nothing.
 
 use scalars::Interval;
-use setrep::Matrix;
+use setrep::{ConstrainedZonotope, Matrix, Zonotope};
 
-use crate::Jet;
+use crate::{Jet, Rows};
 
 /// Buffers for the enclosures that take one. Grows to the largest use and is then reused; holds no result.
 #[derive(Debug, Default, Clone)]
@@ -24,6 +24,13 @@ pub struct Workspace {
     /// An affine enclosure being built.
     pub(crate) jacobian: Matrix,
     pub(crate) offsets: Vec<Interval>,
+    /// Part of a matrix, rows of a solution set, sets being changed.
+    pub(crate) map: Matrix,
+    pub(crate) rows: Rows,
+    pub(crate) zonotope: Option<Zonotope>,
+    pub(crate) constrained: Option<ConstrainedZonotope>,
+    /// The derivatives of the function at hand.
+    pub(crate) jet: Jet,
 }
 
 impl Workspace {

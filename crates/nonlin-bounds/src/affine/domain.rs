@@ -2,10 +2,11 @@
 
 use scalars::Interval;
 
-use crate::{BoundError, DynFunction, Operand};
+use super::evaluate;
+use crate::{BoundError, DynFunction, Operand, Order, Workspace};
 
-/// Where a function `f(x, p)` is enclosed: a box of its variables, an expansion point in it, the parameters, and which of the
-/// variables are noises.
+/// Where a function `f(x, p)` is enclosed: a box of its variables, an expansion point, the parameters, and which of the variables are
+/// noises. Derivatives are taken over the box and, if it lies outside, the point.
 #[derive(Debug, Clone, Copy)]
 pub struct Domain<'a> {
     pub(crate) hull: &'a [Interval],
@@ -61,10 +62,20 @@ impl<'a> Domain<'a> {
             if !side.is_bounded() {
                 return Err(BoundError::NonFinite { operand: Operand::Hull, index });
             }
-            if !side.contains(self.at[index]) {
-                return Err(BoundError::PointOutside { index });
-            }
         }
         Ok(())
+    }
+
+    /// Evaluates `f` over the box and the expansion point to the workspace.
+    pub(super) fn evaluate(
+        &self,
+        f: &dyn DynFunction,
+        order: Order,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
+        let Workspace { point, over_box, .. } = workspace;
+        point.clear();
+        point.extend(self.hull.iter().zip(self.at).map(|(side, &x)| side.hull(Interval::point(x))));
+        evaluate(f, order, point, self.parameters, over_box)
     }
 }

@@ -142,7 +142,7 @@ impl AffineEnclosure {
     /// remainder and rounding included.
     ///
     /// # Errors
-    /// Sizes, [`BoundError::PointOutside`], [`BoundError::NotSmooth`] for an output that is not proven as smooth on the box as the form
+    /// Sizes, an empty or unbounded box, [`BoundError::NotSmooth`] for an output that is not proven as smooth on the box as the form
     /// needs, [`BoundError::UnboundedResult`], and what `f` reports. The enclosure is then unchanged.
     pub fn enclose(
         &mut self,
@@ -153,7 +153,7 @@ impl AffineEnclosure {
     ) -> Result<(), BoundError> {
         domain.check(f)?;
         let (order, at_point) = form.orders();
-        evaluate(f, order, domain.hull, domain.parameters, &mut workspace.over_box)?;
+        domain.evaluate(f, order, workspace)?;
         for (output, &found) in workspace.over_box.smoothness().iter().enumerate() {
             if found < form.needs() {
                 return Err(BoundError::NotSmooth { output, required: form.needs(), found });
@@ -175,7 +175,7 @@ impl AffineEnclosure {
     /// **Guarantee:** as [`enclose`](Self::enclose), for every `x` in the box at which the output is defined.
     ///
     /// # Errors
-    /// Sizes, [`BoundError::PointOutside`], and what `f` reports. The enclosure is then unchanged.
+    /// Sizes, an empty or unbounded box, and what `f` reports. The enclosure is then unchanged.
     pub fn enclose_where_possible(
         &mut self,
         f: &dyn DynFunction,
@@ -184,7 +184,7 @@ impl AffineEnclosure {
     ) -> Result<(), BoundError> {
         domain.check(f)?;
         let mut order = Order::Hessian;
-        while let Err(error) = evaluate(f, order, domain.hull, domain.parameters, &mut workspace.over_box) {
+        while let Err(error) = domain.evaluate(f, order, workspace) {
             order = match (error, order) {
                 (BoundError::OrderNotAvailable { .. }, Order::Hessian) => Order::Jacobian,
                 (BoundError::OrderNotAvailable { .. }, Order::Jacobian) => Order::Value,

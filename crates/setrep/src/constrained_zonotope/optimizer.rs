@@ -6,7 +6,8 @@ use scalars::rounding::add_up;
 
 use super::ConstrainedZonotope;
 use super::rows::{combine, combine_box};
-use crate::{IntervalVector, Part, SetError, Workspace};
+use crate::support_function::{add_corner, add_multiple, check_direction};
+use crate::{IntervalVector, SetError, Workspace};
 
 /// A set loaded into the solver of a workspace: each objective starts from the solution of the last one.
 ///
@@ -92,18 +93,47 @@ impl Optimizer<'_> {
     /// # Errors
     /// [`SetError::Dimension`], [`SetError::NonFinite`] in the direction.
     pub fn support(&mut self, direction: &[f64]) -> Result<f64, SetError> {
-        SetError::check_size(Part::Direction, self.set.dim(), direction.len())?;
-        SetError::check_finite(Part::Direction, direction.len(), direction)?;
+        check_direction(self.set.dim(), direction, None)?;
+        Ok(self.solve(direction, None))
+    }
+
+    /// Support function, and into `point` (length `n`) a support vector; see
+    /// [`SupportFunction::support_vector`](crate::SupportFunction::support_vector).
+    ///
+    /// # Errors
+    /// As [`support`](Self::support); [`SetError::Dimension`] if the slice has another length.
+    pub fn support_vector(&mut self, direction: &[f64], point: &mut [f64]) -> Result<f64, SetError> {
+        check_direction(self.set.dim(), direction, Some(point))?;
+        Ok(self.solve(direction, Some(point)))
+    }
+
+    /// The support in a checked direction, and where it is attained.
+    fn solve(&mut self, direction: &[f64], point: Option<&mut [f64]>) -> f64 {
+        let set = self.set;
         self.objective.clear();
-        self.objective.resize(self.set.num_generators(), 0.0);
-        let error = combine(direction, self.set.generators(), self.objective);
-        let inner = self.maximum();
-        if inner == f64::NEG_INFINITY {
-            return Ok(inner);
+        self.objective.resize(set.num_generators(), 0.0);
+        let error = combine(direction, set.generators(), self.objective);
+        // An objective of the right length is refused only if it overflows.
+        let solution = self.solver.maximize(self.objective);
+        let inner = solution.as_ref().map_or(f64::INFINITY, |solution| solution.bound);
+        if let Some(point) = point {
+            match solution {
+                Ok(solution) if inner > f64::NEG_INFINITY => {
+                    point.copy_from_slice(set.center());
+                    for (column, &xi) in set.generators().columns().zip(solution.point) {
+                        add_multiple(xi, column, point);
+                    }
+                    add_corner(set.remainder(), direction, point);
+                }
+                _ => point.fill(f64::NAN),
+            }
         }
-        let outer = combine_box(direction, self.set.center(), self.set.remainder()).hi();
+        if inner == f64::NEG_INFINITY {
+            return inner;
+        }
+        let outer = combine_box(direction, set.center(), set.remainder()).hi();
         // NaN, from an overflow of both signs, rounds up to infinity.
-        Ok(if error == 0.0 { add_up(outer, inner) } else { add_up(add_up(outer, error), inner) })
+        if error == 0.0 { add_up(outer, inner) } else { add_up(add_up(outer, error), inner) }
     }
 
     /// Interval hull into a slice of length `n`: the supports of both signs of every axis, and the hull of the set without its

@@ -6,6 +6,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod support_functions;
+
 use common::random::{Random, cases};
 use scalars::Interval;
 use setrep::{IntervalMatrix, Matrix, Membership, Workspace, Zonotope};

@@ -1,0 +1,76 @@
+//! What images ask of a set made of generators.
+
+use scalars::Interval;
+use setrep::{ConstrainedZonotope, Matrix, SetError, Zonotope};
+
+use crate::Workspace;
+
+/// A set made of generators, whose images under affine functions are cheap: [`Zonotope`] and [`ConstrainedZonotope`].
+pub trait GeneratorSet: Clone + sealed::Sealed {
+    /// Dimension `n` of the space.
+    fn dim(&self) -> usize;
+
+    /// Interval hull into a slice of length `n`, by linear programs where there are constraints.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`], [`SetError::TooLarge`].
+    fn hull_into(&self, hull: &mut [Interval], workspace: &mut setrep::Workspace) -> Result<(), SetError>;
+}
+
+pub(crate) mod sealed {
+    use super::{Interval, Matrix, SetError, Workspace};
+
+    /// The steps of an affine image, each in place.
+    pub trait Sealed: Sized {
+        /// The set of the workspace that an image is built in.
+        fn draft(workspace: &mut Workspace) -> &mut Option<Self>;
+        /// `t + X`.
+        fn shift(&mut self, translation: &[f64]) -> Result<(), SetError>;
+        /// `R X`.
+        fn map(&mut self, map: &Matrix, workspace: &mut setrep::Workspace) -> Result<(), SetError>;
+        /// `X + [e]`.
+        fn add_sides(&mut self, sides: &[Interval]) -> Result<(), SetError>;
+    }
+}
+
+impl GeneratorSet for Zonotope {
+    fn dim(&self) -> usize {
+        self.dim()
+    }
+
+    fn hull_into(&self, hull: &mut [Interval], _workspace: &mut setrep::Workspace) -> Result<(), SetError> {
+        self.interval_hull_into(hull)
+    }
+}
+
+impl GeneratorSet for ConstrainedZonotope {
+    fn dim(&self) -> usize {
+        self.dim()
+    }
+
+    fn hull_into(&self, hull: &mut [Interval], workspace: &mut setrep::Workspace) -> Result<(), SetError> {
+        self.interval_hull_into(hull, workspace)
+    }
+}
+
+/// The steps by the set's own methods.
+macro_rules! steps {
+    ($set:ty, $draft:ident) => {
+        impl sealed::Sealed for $set {
+            fn draft(workspace: &mut Workspace) -> &mut Option<Self> {
+                &mut workspace.$draft
+            }
+            fn shift(&mut self, translation: &[f64]) -> Result<(), SetError> {
+                self.translate(translation)
+            }
+            fn map(&mut self, map: &Matrix, workspace: &mut setrep::Workspace) -> Result<(), SetError> {
+                self.linear_map_in_place(map, workspace)
+            }
+            fn add_sides(&mut self, sides: &[Interval]) -> Result<(), SetError> {
+                self.add_box(sides)
+            }
+        }
+    };
+}
+steps!(Zonotope, zonotope);
+steps!(ConstrainedZonotope, constrained);
