@@ -6,6 +6,7 @@
 mod affine;
 mod error;
 mod expanded;
+mod expansion;
 mod function;
 mod image;
 mod jet;
@@ -15,6 +16,7 @@ mod workspace;
 
 pub use affine::{AffineEnclosure, Domain, Form};
 pub use error::{BoundError, Operand};
+pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use image::{GeneratorSet, affine_image, polytopic_image};
 pub use jet::Jet;

@@ -55,15 +55,7 @@ impl<'a> Domain<'a> {
         if let Some(index) = self.at.iter().position(|x| !x.is_finite()) {
             return Err(BoundError::NonFinite { operand: Operand::ExpansionPoint, index });
         }
-        for (index, side) in self.hull.iter().enumerate() {
-            if side.is_empty() {
-                return Err(BoundError::EmptyInterval { operand: Operand::Hull, index });
-            }
-            if !side.is_bounded() {
-                return Err(BoundError::NonFinite { operand: Operand::Hull, index });
-            }
-        }
-        Ok(())
+        BoundError::check_box(Operand::Hull, self.hull)
     }
 
     /// Evaluates `f` over the box and the expansion point to the workspace.

@@ -4,7 +4,7 @@ use scalars::Interval;
 use setrep::{Matrix, SetError};
 
 use super::GeneratorSet;
-use crate::{AffineEnclosure, BoundError, Domain, DynFunction, Form, Operand, Workspace};
+use crate::{AffineEnclosure, BoundError, Domain, DynFunction, Expansion, Form, Operand, Workspace};
 
 impl AffineEnclosure {
     /// Image of the part of a set in the box `H` under the function that is enclosed: `J (X - gamma) + [e]`.
@@ -90,7 +90,7 @@ impl AffineEnclosure {
 /// As [`AffineEnclosure::enclose`] and [`AffineEnclosure::image`]; [`SetError::EmptySet`] if the set is proven empty.
 ///
 /// ```
-/// use nonlin_bounds::{Form, Function, Workspace, affine_image};
+/// use nonlin_bounds::{Expansion, Form, Function, Workspace, affine_image};
 /// use scalars::Scalar;
 /// use setrep::ConstrainedZonotope;
 ///
@@ -102,7 +102,7 @@ impl AffineEnclosure {
 /// }
 /// let set = ConstrainedZonotope::from_box(&[2.0, 3.0], &[0.5, 0.5])?;
 /// let mut workspace = Workspace::new();
-/// let image = affine_image(Form::Taylor, &Product, &set, &[2.0, 3.0], &[], &mut workspace)?;
+/// let image = affine_image(Form::Taylor, &Product, &set, Expansion::HullCenter, &[], &mut workspace)?;
 /// let range = image.interval_hull(&mut workspace.sets)?;
 /// assert!(range[0].contains(1.5 * 2.5) && range[0].contains(2.5 * 3.5) && range[0].width() < 5.5 + 1e-12);
 /// # Ok::<(), nonlin_bounds::BoundError>(())
@@ -111,7 +111,7 @@ pub fn affine_image<S: GeneratorSet>(
     form: Form,
     f: &dyn DynFunction,
     set: &S,
-    at: &[f64],
+    at: Expansion<'_>,
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<S, BoundError> {
@@ -120,7 +120,9 @@ pub fn affine_image<S: GeneratorSet>(
     if hull.iter().any(Interval::is_empty) {
         return Err(SetError::EmptySet.into());
     }
+    let mut point = vec![0.0; set.dim()];
+    set.expand(&at, &hull, workspace, &mut point)?;
     let mut enclosure = AffineEnclosure::new();
-    enclosure.enclose(form, f, &Domain::new(&hull, at).with_parameters(p), workspace)?;
+    enclosure.enclose(form, f, &Domain::new(&hull, &point).with_parameters(p), workspace)?;
     enclosure.image(set, workspace)
 }

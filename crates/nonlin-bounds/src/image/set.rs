@@ -3,7 +3,7 @@
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Matrix, SetError, Zonotope};
 
-use crate::Workspace;
+use crate::{BoundError, Expansion, Workspace};
 
 /// A set made of generators, whose images under affine functions are cheap: [`Zonotope`] and [`ConstrainedZonotope`].
 pub trait GeneratorSet: Clone + sealed::Sealed {
@@ -18,12 +18,20 @@ pub trait GeneratorSet: Clone + sealed::Sealed {
 }
 
 pub(crate) mod sealed {
-    use super::{Interval, Matrix, SetError, Workspace};
+    use super::{BoundError, Expansion, Interval, Matrix, SetError, Workspace};
 
     /// The steps of an affine image, each in place.
     pub trait Sealed: Sized {
         /// The set of the workspace that an image is built in.
         fn draft(workspace: &mut Workspace) -> &mut Option<Self>;
+        /// The expansion point in the hull.
+        fn expand(
+            &self,
+            at: &Expansion<'_>,
+            hull: &[Interval],
+            workspace: &mut Workspace,
+            point: &mut [f64],
+        ) -> Result<(), BoundError>;
         /// `t + X`.
         fn shift(&mut self, translation: &[f64]) -> Result<(), SetError>;
         /// `R X`.
@@ -55,10 +63,19 @@ impl GeneratorSet for ConstrainedZonotope {
 
 /// The steps by the set's own methods.
 macro_rules! steps {
-    ($set:ty, $draft:ident) => {
+    ($set:ty, $draft:ident, $point:expr) => {
         impl sealed::Sealed for $set {
             fn draft(workspace: &mut Workspace) -> &mut Option<Self> {
                 &mut workspace.$draft
+            }
+            fn expand(
+                &self,
+                at: &Expansion<'_>,
+                hull: &[Interval],
+                workspace: &mut Workspace,
+                point: &mut [f64],
+            ) -> Result<(), BoundError> {
+                $point(self, at, hull, workspace, point)
             }
             fn shift(&mut self, translation: &[f64]) -> Result<(), SetError> {
                 self.translate(translation)
@@ -72,5 +89,9 @@ macro_rules! steps {
         }
     };
 }
-steps!(Zonotope, zonotope);
-steps!(ConstrainedZonotope, constrained);
+steps!(Zonotope, zonotope, |set: &Zonotope, at: &Expansion<'_>, hull: &[Interval], _, point: &mut [f64]| {
+    at.of_zonotope(set, hull, point)
+});
+steps!(ConstrainedZonotope, constrained, |set, at: &Expansion<'_>, hull: &[Interval], workspace, point: &mut [f64]| {
+    at.of_constrained(set, hull, workspace, point)
+});

@@ -107,7 +107,7 @@ impl AffineEnclosure {
             return Err(SetError::EmptySet.into());
         }
         let says = |i: usize| -> Option<Interval> {
-            let range = values[i] - self.fixed_part(i, states);
+            let range = values[i] - self.fixed_part(i, states, states);
             (range.lo() > f64::NEG_INFINITY || range.hi() < f64::INFINITY).then_some(range)
         };
         rows.ranges.clear();
@@ -155,7 +155,7 @@ impl AffineEnclosure {
     ) -> Result<(), BoundError> {
         let states = set.dim();
         self.check_solution(states, values.dim())?;
-        self.shifts_into(states, None, workspace)?;
+        self.shifts_into(|_| Interval::ZERO, states, states, workspace)?;
         self.cut(set, workspace, |other, _, _| {
             other.clone_from(values);
             Ok(())
@@ -181,7 +181,7 @@ impl AffineEnclosure {
         let (m, states) = (self.outputs(), set.dim());
         self.check_solution(states, values.len())?;
         BoundError::check_size(Operand::Variables, self.variables(), states + noise.dim())?;
-        self.shifts_into(self.variables(), Some((states, values)), workspace)?;
+        self.shifts_into(|i| values[i], states, self.variables(), workspace)?;
         self.cut(set, workspace, |other, map, workspace| {
             other.clone_from(noise);
             workspace.row.clear();
@@ -199,47 +199,35 @@ impl AffineEnclosure {
         BoundError::check_size(Operand::Variables, self.variables().min(states), states)
     }
 
-    /// `[e_i] + D_i (V - gamma_v) - C_i gamma_x`, the variables from `states` on being `v`.
-    fn fixed_part(&self, i: usize, states: usize) -> Interval {
+    /// `[e_i] + D_i (V - gamma_v) - C_i gamma_x`, the first `states` variables being `x`, those from `boxed` on noises with their side of
+    /// the box; those between take no part.
+    fn fixed_part(&self, i: usize, states: usize, boxed: usize) -> Interval {
         let mut sum = self.offsets[i];
-        for k in 0..self.variables() {
-            let j = self.jacobian[(i, k)];
-            if j != 0.0 {
-                let step = if k < states { Interval::point(-self.at[k]) } else { self.hull[k].add_f64(-self.at[k]) };
-                sum += step.scale(j);
+        for (k, column) in self.jacobian.columns().enumerate() {
+            if column[i] == 0.0 {
+            } else if k < states {
+                sum -= Interval::point(self.at[k]).scale(column[i]);
+            } else if k >= boxed {
+                sum += self.hull[k].add_f64(-self.at[k]).scale(column[i]);
             }
         }
         sum
     }
 
-    /// Writes `Y - [e] - D (V - gamma_v) + C gamma_x` to the offsets of the workspace, for `Y = {0}` unless it is given, with the
-    /// noises from `states` on.
+    /// Writes `Y_i` minus the fixed parts to the offsets of the workspace.
     fn shifts_into(
         &self,
+        values: impl Fn(usize) -> Interval,
         states: usize,
-        values: Option<(usize, &[Interval])>,
+        boxed: usize,
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
-        let own = values.map_or(states, |(own, _)| own);
         workspace.offsets.clear();
-        for i in 0..self.outputs() {
-            // Noises that are a set of their own take no part.
-            let mut fixed = self.offsets[i];
-            for k in 0..self.variables() {
-                let j = self.jacobian[(i, k)];
-                if k < own {
-                    fixed += Interval::point(-self.at[k]).scale(j);
-                } else if k >= states {
-                    fixed += self.hull[k].add_f64(-self.at[k]).scale(j);
-                }
-            }
-            let shift = values.map_or(Interval::ZERO, |(_, values)| values[i]) - fixed;
-            if !shift.is_bounded() {
-                return Err(BoundError::UnboundedResult { output: i });
-            }
-            workspace.offsets.push(shift);
+        workspace.offsets.extend((0..self.outputs()).map(|i| values(i) - self.fixed_part(i, states, boxed)));
+        match workspace.offsets.iter().position(|shift| !shift.is_bounded()) {
+            Some(output) => Err(BoundError::UnboundedResult { output }),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// The generalised intersection of `set` through `C` with the set that `build` makes, moved by the offsets in the workspace.
@@ -252,7 +240,7 @@ impl AffineEnclosure {
         let mut map = core::mem::take(&mut workspace.map);
         let mut other = workspace.constrained.take().unwrap_or_else(|| set.clone());
         let (m, states) = (self.outputs(), set.dim());
-        let mut steps = || -> Result<(), BoundError> {
+        let steps = || -> Result<(), BoundError> {
             build(&mut other, &mut map, workspace)?;
             other.add_box(&workspace.offsets)?;
             map.assign_column_slice(m, states, &self.jacobian.as_slice()[..m * states])?;
