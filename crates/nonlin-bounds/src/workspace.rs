@@ -29,6 +29,8 @@ pub struct Workspace {
     pub(crate) rows: Rows,
     pub(crate) zonotope: Option<Zonotope>,
     pub(crate) constrained: Option<ConstrainedZonotope>,
+    /// A quadratic enclosure being built.
+    pub(crate) quadratic: crate::quadratic::Parts,
     /// A set whose constraints are being eliminated, to find its expansion point.
     pub(crate) eliminated: Option<ConstrainedZonotope>,
     /// The derivatives of the function at hand.

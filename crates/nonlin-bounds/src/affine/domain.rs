@@ -59,7 +59,7 @@ impl<'a> Domain<'a> {
     }
 
     /// Evaluates `f` over the box and the expansion point to the workspace.
-    pub(super) fn evaluate(
+    pub(crate) fn evaluate(
         &self,
         f: &dyn DynFunction,
         order: Order,

@@ -1,7 +1,7 @@
 //! Images of zonotopes and constrained zonotopes by affine enclosures: the mean value, slope and Taylor extensions.
 
 use scalars::Interval;
-use setrep::{Matrix, SetError};
+use setrep::{ConstrainedZonotope, Matrix, SetError};
 
 use super::GeneratorSet;
 use crate::{AffineEnclosure, BoundError, Domain, DynFunction, Expansion, Form, Operand, Workspace};
@@ -32,6 +32,16 @@ impl AffineEnclosure {
     /// # Errors
     /// As [`image`](Self::image); the set is then unchanged.
     pub fn image_in_place<S: GeneratorSet>(&self, set: &mut S, workspace: &mut Workspace) -> Result<(), BoundError> {
+        self.image_plus(set, None, workspace)
+    }
+
+    /// The image, and the sum with another set.
+    pub(crate) fn image_plus<S: GeneratorSet>(
+        &self,
+        set: &mut S,
+        other: Option<&ConstrainedZonotope>,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
         let n = set.dim();
         if n > self.variables() {
             return Err(BoundError::Dimension { operand: Operand::Variables, expected: self.variables(), found: n });
@@ -50,7 +60,9 @@ impl AffineEnclosure {
         let mut map = core::mem::take(&mut workspace.map);
         let mut draft = S::draft(workspace).take().unwrap_or_else(|| set.clone());
         draft.clone_from(set);
-        let result = self.steps(&mut draft, &mut map, workspace);
+        let result = self
+            .steps(&mut draft, &mut map, workspace)
+            .and_then(|()| other.map_or(Ok(()), |other| Ok(draft.add_set(other)?)));
         if result.is_ok() {
             core::mem::swap(set, &mut draft);
         }

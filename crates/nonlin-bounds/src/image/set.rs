@@ -18,7 +18,7 @@ pub trait GeneratorSet: Clone + sealed::Sealed {
 }
 
 pub(crate) mod sealed {
-    use super::{BoundError, Expansion, Interval, Matrix, SetError, Workspace};
+    use super::{BoundError, ConstrainedZonotope, Expansion, Interval, Matrix, SetError, Workspace, Zonotope};
 
     /// The steps of an affine image, each in place.
     pub trait Sealed: Sized {
@@ -38,6 +38,10 @@ pub(crate) mod sealed {
         fn map(&mut self, map: &Matrix, workspace: &mut setrep::Workspace) -> Result<(), SetError>;
         /// `X + [e]`.
         fn add_sides(&mut self, sides: &[Interval]) -> Result<(), SetError>;
+        /// A superset of `X + Y`, the sum itself but for the constraints of `Y` where there can be none.
+        fn add_set(&mut self, other: &ConstrainedZonotope) -> Result<(), SetError>;
+        /// The set without its constraints, and these.
+        fn body(&self) -> (&Zonotope, Option<&ConstrainedZonotope>);
     }
 }
 
@@ -63,7 +67,7 @@ impl GeneratorSet for ConstrainedZonotope {
 
 /// The steps by the set's own methods.
 macro_rules! steps {
-    ($set:ty, $draft:ident, $point:expr) => {
+    ($set:ty, $draft:ident, $point:expr, $other:expr, $body:expr) => {
         impl sealed::Sealed for $set {
             fn draft(workspace: &mut Workspace) -> &mut Option<Self> {
                 &mut workspace.$draft
@@ -86,12 +90,32 @@ macro_rules! steps {
             fn add_sides(&mut self, sides: &[Interval]) -> Result<(), SetError> {
                 self.add_box(sides)
             }
+            fn add_set(&mut self, other: &ConstrainedZonotope) -> Result<(), SetError> {
+                self.add_assign($other(other))
+            }
+            fn body(&self) -> (&Zonotope, Option<&ConstrainedZonotope>) {
+                $body(self)
+            }
         }
     };
 }
-steps!(Zonotope, zonotope, |set: &Zonotope, at: &Expansion<'_>, hull: &[Interval], _, point: &mut [f64]| {
-    at.of_zonotope(set, hull, point)
-});
-steps!(ConstrainedZonotope, constrained, |set, at: &Expansion<'_>, hull: &[Interval], workspace, point: &mut [f64]| {
-    at.of_constrained(set, hull, workspace, point)
-});
+steps!(
+    Zonotope,
+    zonotope,
+    |set: &Zonotope, at: &Expansion<'_>, hull: &[Interval], _, point: &mut [f64]| at.of_zonotope(set, hull, point),
+    ConstrainedZonotope::unconstrained,
+    |set| (set, None)
+);
+steps!(
+    ConstrainedZonotope,
+    constrained,
+    |set, at: &Expansion<'_>, hull: &[Interval], workspace, point: &mut [f64]| {
+        at.of_constrained(set, hull, workspace, point)
+    },
+    |set| set,
+    with_constraints
+);
+
+fn with_constraints(set: &ConstrainedZonotope) -> (&Zonotope, Option<&ConstrainedZonotope>) {
+    (set.unconstrained(), Some(set))
+}

@@ -194,7 +194,7 @@ impl AffineEnclosure {
     }
 
     /// `Ok` if states and values fit the function.
-    fn check_solution(&self, states: usize, values: usize) -> Result<(), BoundError> {
+    pub(crate) fn check_solution(&self, states: usize, values: usize) -> Result<(), BoundError> {
         BoundError::check_size(Operand::Outputs, self.outputs(), values)?;
         BoundError::check_size(Operand::Variables, self.variables().min(states), states)
     }
@@ -215,7 +215,7 @@ impl AffineEnclosure {
     }
 
     /// Writes `Y_i` minus the fixed parts to the offsets of the workspace.
-    fn shifts_into(
+    pub(crate) fn shifts_into(
         &self,
         values: impl Fn(usize) -> Interval,
         states: usize,
@@ -231,7 +231,7 @@ impl AffineEnclosure {
     }
 
     /// The generalised intersection of `set` through `C` with the set that `build` makes, moved by the offsets in the workspace.
-    fn cut(
+    pub(crate) fn cut(
         &self,
         set: &mut ConstrainedZonotope,
         workspace: &mut Workspace,
