@@ -4,6 +4,7 @@
 //! enclosure of this crate takes.
 
 mod affine;
+mod derivative;
 mod error;
 mod expanded;
 mod expansion;
@@ -16,6 +17,7 @@ mod solution;
 mod workspace;
 
 pub use affine::{AffineEnclosure, Domain, Form};
+pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
