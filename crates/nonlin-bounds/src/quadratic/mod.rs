@@ -177,22 +177,23 @@ impl QuadraticEnclosure {
             let hessian = &workspace.over_box.hessians()[i * size..(i + 1) * size];
             let gradient = &workspace.at_point.jacobian()[i * n..(i + 1) * n];
             parts.cross(hessian);
-            // f(gamma) + f'(gamma) p + p'Q p, and what is left of the linear terms over the box.
             let mut offset = workspace.at_point.values()[i];
             let mut error = parts.lost(hessian);
             for k in 0..n {
-                let twice = parts.cross[k].scale(2.0);
-                let (slope, step) = match copies {
+                // f'(gamma) (z - gamma) + L (p + 2 (z - c)), each factor by its midpoint and the rest over the box.
+                let (slope, cross) = (midpoint(gradient[k]), midpoint(parts.cross[k]));
+                offset += gradient[k].add_f64(-slope) * parts.steps[k];
+                offset += parts.cross[k].add_f64(-cross) * (parts.shift[k] + parts.about_center[k].scale(2.0));
+                offset += parts.shift[k].scale(cross);
+                workspace.jacobian[(i, k)] = match copies {
+                    Copies::Separate => slope,
                     Copies::Shared => {
-                        offset += gradient[k] * parts.shift[k];
-                        (gradient[k] + twice, parts.about_center[k])
+                        let entry = slope + 2.0 * cross;
+                        let rounding = Interval::point(slope).add_f64(2.0 * cross).add_f64(-entry);
+                        offset += parts.shift[k].scale(slope) + rounding * parts.about_center[k];
+                        entry
                     }
-                    Copies::Separate => (gradient[k], parts.steps[k]),
                 };
-                offset += parts.cross[k] * parts.shift[k];
-                let middle = if slope.is_bounded() { slope.mid() } else { 0.0 };
-                workspace.jacobian[(i, k)] = middle;
-                offset += slope.add_f64(-middle) * step;
             }
             if copies == Copies::Separate {
                 error = add_up(error, parts.copy_cross(i, pairs));
@@ -281,6 +282,11 @@ impl Parts {
         }
         sum
     }
+}
+
+/// A midpoint; 0 for what is unbounded.
+fn midpoint(x: Interval) -> f64 {
+    if x.is_bounded() { x.mid() } else { 0.0 }
 }
 
 /// `h x` of a packed symmetric matrix into `product`.

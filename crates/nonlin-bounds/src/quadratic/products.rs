@@ -4,7 +4,7 @@ use scalars::Interval;
 use scalars::rounding::add_up;
 use setrep::{ConstrainedZonotope, Zonotope};
 
-use super::{Parts, multiply};
+use super::{Parts, midpoint, multiply};
 
 /// A component of the remainder above this share of the generators' extent is a generator of its own.
 const MODEL_SIZE: f64 = 1e-9;
@@ -68,20 +68,13 @@ impl Parts {
         self.ranges.extend(self.columns.col(a).iter().map(|&g| Interval::point(g)));
     }
 
-    /// Row `i` of the second copy `2 L G` from column `first` on; returns a bound of what midpoints leave out: of `L` over the set, of the
-    /// products over the coordinates.
+    /// Row `i` of the second copy `2 mid(L) G` from column `first` on; returns a bound of its rounding.
     pub(super) fn copy_cross(&mut self, i: usize, first: usize) -> f64 {
         let mut error = 0.0;
-        for (k, entry) in self.cross.iter().enumerate() {
-            let left = entry.scale(2.0).add_f64(-2.0 * entry.mid());
-            error = add_up(error, (left * self.about_center[k]).mag());
-        }
         for a in 0..self.columns.cols() {
-            let product = self
-                .cross
-                .iter()
-                .zip(self.columns.col(a))
-                .fold(Interval::ZERO, |sum, (entry, &g)| sum + Interval::point(2.0 * entry.mid()).scale(g));
+            let terms = self.cross.iter().zip(self.columns.col(a));
+            let product =
+                terms.fold(Interval::ZERO, |sum, (entry, &g)| sum + Interval::point(2.0 * midpoint(*entry)).scale(g));
             self.generators[(i, first + a)] = product.mid();
             error = add_up(error, product.rad());
         }
