@@ -50,7 +50,7 @@ pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
 pub use ops::membership::{FACET_LIMIT, Membership};
 pub use ops::volume::MINOR_LIMIT;
-pub use polytope::{Feasibility, HPolytope, MAX_FACES, VPolytope};
+pub use polytope::{ChebyshevBall, Feasibility, HPolytope, MAX_FACES, PolytopeOptimizer, VPolytope};
 pub use reduce::Reduction;
 pub use support_function::SupportFunction;
 pub use workspace::Workspace;

@@ -18,6 +18,7 @@ mod score;
 
 pub use emptiness::{Contradiction, Emptiness};
 pub use optimizer::Optimizer;
+pub(crate) use optimizer::{prepared, refused};
 pub use reduce::Complexity;
 use scalars::Interval;
 
