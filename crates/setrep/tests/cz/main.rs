@@ -19,6 +19,7 @@ mod optimization;
 mod peers;
 mod reduction;
 mod simplification;
+mod strips;
 
 /// Seed of all batteries; printed with every failing case.
 const SEED: u64 = 20_261_123;

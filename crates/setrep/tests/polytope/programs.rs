@@ -13,7 +13,7 @@ const SEED: u64 = 31;
 /// Bounded by a box, or by the facets of a hull of points (no axis-aligned row), moved off the origin.
 fn sample(random: &mut Random, case: usize, n: usize) -> HPolytope {
     let entries = ALL_ENTRIES[case % 3];
-    let set = if case % 2 == 0 {
+    let set = if case.is_multiple_of(2) {
         let extra = random.between(0, 4);
         h_polytope(random, n, extra, entries)
     } else {
