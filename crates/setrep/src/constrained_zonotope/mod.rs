@@ -12,6 +12,7 @@ mod minkowski_sum;
 mod optimizer;
 mod reduce;
 mod redundancy;
+mod reencode;
 mod rescale;
 mod rows;
 mod score;
@@ -20,6 +21,8 @@ pub use emptiness::{Contradiction, Emptiness};
 pub use optimizer::Optimizer;
 pub(crate) use optimizer::{prepared, refused};
 pub use reduce::Complexity;
+pub(crate) use reencode::Scratch as ReencodingScratch;
+pub use reencode::{Directions, Reencoding, TemplateWidths};
 use scalars::Interval;
 
 use crate::{Matrix, Part, SetError, Zonotope};

@@ -1,0 +1,103 @@
+//! A function around a point of a box, by the mean value theorem.
+
+use scalars::Interval;
+use scalars::rounding::{add_up, mul_up};
+use setrep::{Matrix, VPolytope};
+
+use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness};
+
+/// `f(x) = f(x_0) + J (x - x_0)` with some `J` in `[J]` for every `x` of a box that contains `x_0`; the entries of `J` depend on `x`.
+pub(crate) struct Expanded {
+    /// `x_0`.
+    point: Vec<f64>,
+    /// `f(x_0)`.
+    value: Vec<Interval>,
+    /// `[J]` over the box, row by row.
+    jacobian: Vec<Interval>,
+}
+
+impl Expanded {
+    /// Expands `f` around `point` over the interval hull of a polytope.
+    pub(crate) fn over(
+        f: &dyn DynFunction,
+        set: &VPolytope,
+        point: &[f64],
+        p: &[Interval],
+        jet: &mut Jet,
+    ) -> Result<Self, BoundError> {
+        let n = f.variables();
+        let check = |operand, found| {
+            if found == n { Ok(()) } else { Err(BoundError::Dimension { operand, expected: n, found }) }
+        };
+        check(Operand::Variables, set.dim())?;
+        check(Operand::ExpansionPoint, point.len())?;
+        if let Some(index) = point.iter().position(|x| !x.is_finite()) {
+            return Err(BoundError::NonFinite { operand: Operand::ExpansionPoint, index });
+        }
+        let at: Vec<Interval> = point.iter().map(|&x| Interval::point(x)).collect();
+        // The segment from the point to any member lies in this box, wherever the point lies.
+        let hull: Vec<Interval> = set.interval_hull().iter().zip(&at).map(|(side, x)| side.hull(*x)).collect();
+        f.enclose(Order::Jacobian, &hull, p, jet)?;
+        let rough = jet.smoothness().iter().position(|&found| found < Smoothness::C1);
+        if let Some(output) = rough {
+            let found = jet.smoothness()[output];
+            return Err(BoundError::NotSmooth { output, required: Smoothness::C1, found });
+        }
+        let jacobian = jet.jacobian().to_vec();
+        f.enclose(Order::Value, &at, p, jet)?;
+        let value = jet.values().to_vec();
+        let bounded =
+            |i: &usize| !(value[*i].is_bounded() && jacobian[i * n..(i + 1) * n].iter().all(Interval::is_bounded));
+        match (0..value.len()).find(bounded) {
+            Some(output) => Err(BoundError::UnboundedResult { output }),
+            None => Ok(Self { point: point.to_vec(), value, jacobian }),
+        }
+    }
+
+    /// Number of outputs.
+    pub(crate) fn outputs(&self) -> usize {
+        self.value.len()
+    }
+
+    /// Row `i` of `[J]`.
+    fn row(&self, i: usize) -> &[Interval] {
+        let n = self.point.len();
+        &self.jacobian[i * n..(i + 1) * n]
+    }
+
+    /// `f_i(x_0) + [J_i] (x - x_0)`.
+    pub(crate) fn reach(&self, i: usize, x: &[f64]) -> Interval {
+        self.row(i).iter().zip(x.iter().zip(&self.point)).fold(self.value[i], |sum, (slope, (&x, &x0))| {
+            if x == x0 { sum } else { sum + *slope * (Interval::point(x) - Interval::point(x0)) }
+        })
+    }
+
+    /// `[J_i] e` for `|e| <= r`, as a half-width.
+    pub(crate) fn spread(&self, i: usize, r: &[f64]) -> f64 {
+        let terms = self.row(i).iter().zip(r).filter(|(_, r)| **r != 0.0);
+        terms.fold(0.0, |sum, (slope, &r)| add_up(sum, mul_up(slope.mag(), r)))
+    }
+
+    /// The function `A f` of the rows `A`.
+    pub(crate) fn combined(&self, normals: &Matrix) -> Self {
+        let (n, rows) = (self.point.len(), normals.rows());
+        let mut combined = Self {
+            point: self.point.clone(),
+            value: vec![Interval::ZERO; rows],
+            jacobian: vec![Interval::ZERO; rows * n],
+        };
+        for i in 0..self.outputs() {
+            for j in 0..rows {
+                let a = normals[(j, i)];
+                if a != 0.0 {
+                    combined.value[j] += self.value[i].scale(a);
+                    for k in 0..n {
+                        let slope = &mut combined.jacobian[j * n + k];
+                        *slope += self.jacobian[i * n + k].scale(a);
+                    }
+                }
+            }
+        }
+        combined
+    }
+}

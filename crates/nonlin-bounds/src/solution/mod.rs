@@ -1,0 +1,7 @@
+//! Solution sets, `{ x in X : g(x, p) in Y }`; one method a file.
+
+mod polytopic;
+mod polytopic_lift;
+
+pub use polytopic::polytopic_solution;
+pub use polytopic_lift::polytopic_solution_lift;
