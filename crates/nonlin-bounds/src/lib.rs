@@ -3,8 +3,10 @@
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
 
+mod derivative;
 mod error;
 mod expanded;
+mod expansion;
 mod function;
 mod image;
 mod jet;
@@ -12,7 +14,9 @@ mod smoothness;
 mod solution;
 mod workspace;
 
+pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
+pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use image::polytopic_image;
 pub use jet::Jet;

@@ -7,6 +7,8 @@ use crate::Jet;
 pub struct Workspace {
     /// The buffers of operations on sets.
     pub sets: setrep::Workspace,
+    /// A set whose constraints are being eliminated, to find its expansion point.
+    pub(crate) eliminated: Option<setrep::ConstrainedZonotope>,
     /// The derivatives of the function at hand.
     pub(crate) jet: Jet,
 }
