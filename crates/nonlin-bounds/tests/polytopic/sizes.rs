@@ -13,7 +13,7 @@ fn polygon(corners: &[&[f64]]) -> VPolytope {
 
 fn area(set: &VPolytope) -> f64 {
     let volume = set.volume().unwrap();
-    assert!(volume.width() < 1e-9);
+    assert!(volume.width() < 1e-11);
     volume.mid()
 }
 
@@ -39,7 +39,7 @@ fn affine_images_are_exact() {
     let triangle = polygon(&[&[0.0, 0.0], &[4.0, 0.0], &[0.0, 2.0], &[1.0, 0.5]]);
     let image = polytopic_image(&Affine, &triangle, &[1.0, 1.0], &[], &mut Workspace::new()).unwrap();
     assert_eq!(image.num_vertices(), 3);
-    assert_eq!(image.remainder(), &[0.0, 0.0]);
+    assert!(image.remainder().iter().all(|&r| r < 1e-13));
     assert!((area(&image) - 3.0 * 4.0).abs() < 1e-12);
 }
 
@@ -67,8 +67,9 @@ fn boxes_around_vertices_are_as_by_hand() {
     let image = polytopic_image(&SquareAndSum, &segment, &[1.0, 0.0], &[], &mut Workspace::new()).unwrap();
     assert_eq!(image.num_vertices(), 4);
     let hull = image.interval_hull();
-    assert_eq!((hull[0].lo(), hull[0].hi()), (-3.0, 5.0));
-    assert_eq!((hull[1].lo(), hull[1].hi()), (0.0, 2.0));
+    for (side, (lo, hi)) in hull.iter().zip([(-3.0, 5.0), (0.0, 2.0)]) {
+        assert!(Interval::new(lo, hi).unwrap().subset_of(side) && side.width() < hi - lo + 1e-13);
+    }
     // The parallelogram (-3, 0), (1, 0), (5, 2), (1, 2).
     assert!((area(&image) - 8.0).abs() < 1e-12);
 }

@@ -13,8 +13,10 @@ const SEED: u64 = 42;
 fn target(random: &mut Random, y: &[f64]) -> HPolytope {
     let half_width = |random: &mut Random| random.below(9) as f64 * if random.below(2) == 0 { 0.25 } else { 4.0 };
     if random.below(2) == 0 {
-        let sides: Vec<Interval> =
-            y.iter().map(|&y| Interval::point(y - half_width(random)).hull(Interval::point(y + half_width(random)))).collect();
+        let sides: Vec<Interval> = y
+            .iter()
+            .map(|&y| Interval::point(y - half_width(random)).hull(Interval::point(y + half_width(random))))
+            .collect();
         return HPolytope::from_intervals(&sides).unwrap();
     }
     let mut normals = Matrix::zeros(3, y.len());
@@ -31,7 +33,8 @@ fn exact_solutions_are_kept() {
         let random = &mut Random::new(SEED, case);
         let (n, m) = (1 + random.below(3), 1 + random.below(2));
         let (g, set) = (Polynomials::random(random, n, m), polytope(random, n));
-        let y = target(random, &g.exact(&member(random, &set)));
+        let x = member(random, &set);
+        let y = target(random, &g.exact(&x));
         let at = expansion_point(random, &set);
         let solution = polytopic_solution(&g, &set, &y, &at, &[], &mut workspace).unwrap();
         let half_spaces = solution.to_h_polytope().unwrap();
@@ -65,7 +68,8 @@ fn solutions_are_subsets() {
         let random = &mut Random::new(SEED + 1, case);
         let n = 1 + random.below(3);
         let (g, set) = (Polynomials::random(random, n, 1), polytope(random, n));
-        let y = target(random, &g.exact(&member(random, &set)));
+        let x = member(random, &set);
+        let y = target(random, &g.exact(&x));
         let at = set.interval_hull().mid();
         let solution = polytopic_solution(&g, &set, &y, &at, &[], &mut workspace).unwrap();
         let lift = polytopic_solution_lift(&g, &set, &y, &at, &[], &mut workspace).unwrap();
