@@ -125,7 +125,7 @@ fn quadratic_part(set: &CgRep, halves: &[DMatrix<Interval>]) -> CgRep {
         for (k, &(i, j)) in pairs.iter().enumerate() {
             generators[(q, columns + k)] = form[(i, j)].mid() + form[(j, i)].mid();
         }
-        generators[(q, columns + pairs.len() + q)] = form.iter().map(|x| x.rad()).sum();
+        generators[(q, columns + pairs.len() + q)] = form.iter().map(Interval::rad).sum();
     }
     let products: Vec<(usize, usize)> = (0..rows).flat_map(|r| (r..rows).map(move |s| (r, s))).collect();
     let mut constraints = DMatrix::zeros(products.len(), width);

@@ -25,9 +25,8 @@ pub fn updated_set(
     let mut jet = Jet::new();
     mu.enclose(Order::Jacobian, &set.interval_hull(), &[], &mut jet)?;
     let a = |j: usize, i: usize| y.normals()[(j, i)];
-    let slope = |j: usize, k: usize| {
-        (0..m).fold(Interval::ZERO, |sum, i| sum + jet.jacobian()[i * n + k].scale(a(j, i)))
-    };
+    let slope =
+        |j: usize, k: usize| (0..m).fold(Interval::ZERO, |sum, i| sum + jet.jacobian()[i * n + k].scale(a(j, i)));
     let half = |k: usize, i: usize| 0.5 * set.vertices()[(k, i)];
     let center: Vec<f64> = (0..n).map(|k| (0..count).map(|i| half(k, i)).sum()).collect();
     let mut generators = Matrix::zeros(n, 2 * count);
