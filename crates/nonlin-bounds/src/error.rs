@@ -1,5 +1,6 @@
 //! [`BoundError`]: what can go wrong when a function is enclosed.
 
+use scalars::Interval;
 use setrep::SetError;
 
 use crate::Smoothness;
@@ -78,6 +79,12 @@ pub enum BoundError {
         /// The order asked for.
         order: usize,
     },
+    /// A point of expansion outside the interval hull of its set.
+    #[error("expansion point: entry {index} lies outside the hull")]
+    OutsideHull {
+        /// Which entry.
+        index: usize,
+    },
     /// A bound is not finite although the function is defined (a derivative that overflows).
     #[error("the bound of output {output} is not finite")]
     UnboundedResult {
@@ -87,4 +94,20 @@ pub enum BoundError {
     /// An operation on sets failed.
     #[error(transparent)]
     Set(#[from] SetError),
+}
+
+impl BoundError {
+    /// `Ok` if `found == expected`.
+    pub(crate) fn check_size(operand: Operand, expected: usize, found: usize) -> Result<(), Self> {
+        if expected == found { Ok(()) } else { Err(Self::Dimension { operand, expected, found }) }
+    }
+
+    /// `Ok` if every side of a box is nonempty and bounded.
+    pub(crate) fn check_box(operand: Operand, sides: &[Interval]) -> Result<(), Self> {
+        match sides.iter().position(|side| !side.is_bounded()) {
+            None => Ok(()),
+            Some(index) if sides[index].is_empty() => Err(Self::EmptyInterval { operand, index }),
+            Some(index) => Err(Self::NonFinite { operand, index }),
+        }
+    }
 }

@@ -38,20 +38,24 @@ mod matrix_nalgebra;
 mod ops;
 mod polytope;
 mod reduce;
+mod strip;
 mod support_function;
 mod wedge;
 mod workspace;
 mod zonotope;
 
-pub use constrained_zonotope::{Complexity, ConstrainedZonotope, Contradiction, Emptiness, Optimizer};
+pub use constrained_zonotope::{
+    Complexity, ConstrainedZonotope, Contradiction, Directions, Emptiness, Optimizer, Reencoding, TemplateWidths,
+};
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
 pub use ops::membership::{FACET_LIMIT, Membership};
 pub use ops::volume::MINOR_LIMIT;
-pub use polytope::{Feasibility, HPolytope, MAX_FACES, VPolytope};
+pub use polytope::{ChebyshevBall, Feasibility, HPolytope, MAX_FACES, PolytopeOptimizer, VPolytope};
 pub use reduce::Reduction;
+pub use strip::{HalfSpace, Strip};
 pub use support_function::SupportFunction;
 pub use workspace::Workspace;
 pub use zonotope::Zonotope;

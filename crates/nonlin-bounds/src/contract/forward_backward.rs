@@ -146,9 +146,9 @@ impl Slots {
     fn sweep(&mut self, tape: &Tape, y: &[Interval]) -> Result<(), Emptied> {
         self.pass += 1;
         if self.pass == 1 {
-            self.first_forward(tape)?
+            self.first_forward(tape)?;
         } else {
-            self.forward(tape)?
+            self.forward(tape)?;
         }
         self.pass += 1;
         for (output, (&slot, &required)) in tape.output_slots().iter().zip(y).enumerate() {
