@@ -1,11 +1,17 @@
 //! Timed comparisons with peers and floors. Not part of the tests: a figure here is a ratio measured in one run.
 //!
-//! `cargo xtask bench` prints the table; `cargo bench -p benches` runs criterion on our side of the same work.
+//! `cargo xtask bench` prints the table; `cargo xtask bench growth` draws how a hull's cost grows; `cargo bench -p benches` runs criterion on our side of the same work.
 
+pub mod constrained;
+pub mod cz_sets;
 pub mod derivatives;
+pub mod draw;
 pub mod filters;
 pub mod groups;
+pub mod growth;
+pub mod hulls;
 pub mod intervals;
+pub mod lp_peers;
 pub mod sets;
 pub mod timing;
 
@@ -22,6 +28,8 @@ pub fn all() -> Vec<Bench> {
     benches.extend(groups::benches());
     benches.extend(sets::benches());
     benches.extend(derivatives::benches());
+    benches.extend(hulls::benches());
+    benches.extend(constrained::benches());
     benches.extend(filters::benches());
     benches
 }

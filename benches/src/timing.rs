@@ -1,7 +1,8 @@
 //! Interleaved timing of two pieces of work in one run.
 //!
 //! A shared machine is noisy, so two programs timed one after the other can not be compared. Here both sides run in short
-//! windows that alternate; of each side the least mean over a window counts, and only the ratio of the two is a claim.
+//! windows that alternate, on the clock of the thread's own processor time; of each side the least mean over a window counts,
+//! and only the ratio of the two is a claim.
 
 use std::time::{Duration, Instant};
 
@@ -29,18 +30,23 @@ pub struct Budget {
     pub window: Duration,
     /// Number of windows a side.
     pub windows: usize,
+    /// Time after which no more windows are begun: slow work gets fewer of them, but at least [`LEAST_WINDOWS`].
+    pub patience: Duration,
 }
+
+/// Windows that each side gets however slow it is.
+const LEAST_WINDOWS: usize = 5;
 
 impl Default for Budget {
     fn default() -> Self {
-        Self { window: Duration::from_millis(4), windows: 60 }
+        Self { window: Duration::from_millis(4), windows: 60, patience: Duration::from_secs(8) }
     }
 }
 
 /// A comparison: a name, the work of both sides, and how many operations one call of either does.
 pub struct Bench {
-    /// What is timed, as `family/case`.
-    pub name: &'static str,
+    /// What is timed, as `family/case`; rows against several peers share it.
+    pub name: String,
     peer: &'static str,
     batch: usize,
     ours: Box<dyn FnMut()>,
@@ -50,12 +56,12 @@ pub struct Bench {
 impl Bench {
     /// A comparison whose calls do one operation each.
     pub fn new(
-        name: &'static str,
+        name: impl Into<String>,
         peer: &'static str,
         ours: impl FnMut() + 'static,
         theirs: impl FnMut() + 'static,
     ) -> Self {
-        Self { name, peer, batch: 1, ours: Box::new(ours), theirs: Box::new(theirs) }
+        Self { name: name.into(), peer, batch: 1, ours: Box::new(ours), theirs: Box::new(theirs) }
     }
 
     /// The same with `batch` operations in each call.
@@ -70,42 +76,55 @@ impl Bench {
         let our_calls = calls_per_window(&mut self.ours, budget.window);
         let peer_calls = calls_per_window(&mut self.theirs, budget.window);
         let (mut our_best, mut peer_best) = (f64::INFINITY, f64::INFINITY);
-        for _ in 0..budget.windows {
+        let start = Instant::now();
+        for window in 0..budget.windows {
+            if window >= LEAST_WINDOWS && start.elapsed() > budget.patience {
+                break;
+            }
             our_best = our_best.min(window_ns(&mut self.ours, our_calls));
             peer_best = peer_best.min(window_ns(&mut self.theirs, peer_calls));
         }
         let (ours_ns, peer_ns) = (our_best / self.batch as f64, peer_best / self.batch as f64);
-        Row { name: self.name.to_owned(), ours_ns, peer: self.peer.to_owned(), peer_ns, ratio: peer_ns / ours_ns }
+        Row { name: self.name.clone(), ours_ns, peer: self.peer.to_owned(), peer_ns, ratio: peer_ns / ours_ns }
     }
 
     /// Time of `calls` calls of our side, for a harness of its own.
     pub fn time_ours(&mut self, calls: u64) -> Duration {
-        let start = Instant::now();
-        for _ in 0..calls {
-            (self.ours)();
-        }
-        start.elapsed()
+        time(&mut self.ours, calls)
     }
 }
 
-fn calls_per_window(work: &mut dyn FnMut(), window: Duration) -> u32 {
-    let mut calls = 1_u32;
-    loop {
-        let start = Instant::now();
-        for _ in 0..calls {
-            work();
-        }
-        if start.elapsed() * 2 >= window || calls >= 1 << 24 {
-            return calls;
-        }
+fn calls_per_window(work: &mut dyn FnMut(), window: Duration) -> u64 {
+    let mut calls = 1;
+    while time(work, calls) * 2 < window && calls < 1 << 24 {
         calls *= 2;
     }
+    calls
 }
 
-fn window_ns(work: &mut dyn FnMut(), calls: u32) -> f64 {
-    let start = Instant::now();
+fn window_ns(work: &mut dyn FnMut(), calls: u64) -> f64 {
+    time(work, calls).as_nanos() as f64 / calls as f64
+}
+
+/// Processor time of `calls` calls.
+fn time(work: &mut dyn FnMut(), calls: u64) -> Duration {
+    let start = processor_time();
     for _ in 0..calls {
         work();
     }
-    start.elapsed().as_nanos() as f64 / f64::from(calls)
+    processor_time() - start
+}
+
+/// Time this thread has run for: what others run in between does not count.
+#[cfg(unix)]
+fn processor_time() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
+}
+
+/// Time since the first call, where there is no such clock.
+#[cfg(not(unix))]
+fn processor_time() -> Duration {
+    static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
+    START.elapsed()
 }

@@ -1,10 +1,36 @@
 //! Ranges, derivatives and images of sets under nonlinear functions, remainders and rounding included.
 //!
-//! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
-//! enclosure of this crate takes.
+//! A [`Function`] is written once, generic over [`scalars::Scalar`] (or in two lines, by [`function!`]); [`DynFunction`] is its object-safe
+//! twin, which every enclosure of this crate takes: a [`Jet`] of value, Jacobian and Hessians over a box, with the [`Smoothness`] that
+//! the evaluation has proven there.
+//!
+//! ```
+//! use nonlin_bounds::{DynFunction, Jet, Order, Rk4, Smoothness, function};
+//! use scalars::Interval;
+//!
+//! // A pendulum, and its discrete model by one Runge-Kutta step; the step is the last parameter.
+//! let pendulum = function!(|[angle, rate]: 2| -> 2 { [rate, angle.sin() * S::decimal("-9.81")] });
+//! let model = Rk4::new(pendulum)?;
+//!
+//! let x = [Interval::new(0.9, 1.1)?, Interval::new(-0.1, 0.1)?];
+//! let mut jet = Jet::new();
+//! model.enclose(Order::Hessian, &x, &[Interval::decimal("0.01")], &mut jet)?;
+//! assert_eq!(jet.smoothness(), [Smoothness::C2; 2]);
+//! assert!(jet.values()[0].width() < 0.21 && jet.jacobian()[1].contains(0.01));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! In reading order: `function`, `jet`, `smoothness` are the contract; `derivative` has the dual numbers and the passes that fill a jet;
+//! `compose` and `integrators` make functions of functions, [`Flow`] a proven step of a differential equation; `expansion`, `affine`
+//! and `quadratic` enclose a function by simpler ones, `image` and `solution` carry sets through.
+//!
+//! A [`Tape`] is a function recorded as data: it can be run backwards and printed. [`ForwardBackward`] and [`IntervalNewton`] shrink boxes
+//! around the solutions of `f(x, p) in Y`.
 
+mod affine;
 mod buffer;
 mod compose;
+mod contract;
 mod derivative;
 mod error;
 mod expanded;
@@ -14,19 +40,25 @@ mod image;
 mod integrators;
 mod jet;
 mod macros;
+mod quadratic;
 mod smoothness;
 mod solution;
+mod tape;
 mod workspace;
 
+pub use affine::{AffineEnclosure, Domain, Form};
 pub use compose::{Stack, Then, stack, then};
+pub use contract::{Conflict, Contraction, ForwardBackward, IntervalNewton};
 pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
-pub use image::polytopic_image;
+pub use image::{GeneratorSet, affine_image, polytopic_image};
 pub use integrators::{Euler, Flow, Heun, Rk4};
 pub use jet::Jet;
+pub use quadratic::{Copies, QuadraticEnclosure};
 pub use scalars;
 pub use smoothness::Smoothness;
-pub use solution::{polytopic_solution, polytopic_solution_lift};
+pub use solution::{Rows, polytopic_solution, polytopic_solution_lift};
+pub use tape::Tape;
 pub use workspace::Workspace;
