@@ -40,6 +40,8 @@ pub enum Part {
     Constraints,
     /// The ranges `[b]` of constraints.
     Range,
+    /// The members of a bundle.
+    Members,
 }
 
 impl fmt::Display for Part {
@@ -62,6 +64,7 @@ impl fmt::Display for Part {
             Self::Offsets => "half-space offsets",
             Self::Constraints => "constraint matrix",
             Self::Range => "range",
+            Self::Members => "members of the bundle",
         })
     }
 }

@@ -29,6 +29,7 @@
 //! ```
 
 mod bounds;
+mod bundle;
 mod constrained_zonotope;
 mod error;
 mod interval_matrix;
@@ -43,6 +44,7 @@ mod wedge;
 mod workspace;
 mod zonotope;
 
+pub use bundle::{BundleComplexity, ZonotopeBundle};
 pub use constrained_zonotope::{
     Complexity, ConstrainedZonotope, Contradiction, Directions, Emptiness, Optimizer, Reencoding, TemplateWidths,
 };
