@@ -3,6 +3,7 @@
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
 
+mod derivative;
 mod error;
 mod expanded;
 mod expansion;
@@ -13,6 +14,7 @@ mod smoothness;
 mod solution;
 mod workspace;
 
+pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
