@@ -173,6 +173,14 @@ pub enum SetError {
         /// The dimension of the set.
         dim: usize,
     },
+    /// A coordinate that the space does not have.
+    #[error("no coordinate {index} in dimension {dim}")]
+    NoSuchCoordinate {
+        /// The index asked for.
+        index: usize,
+        /// The dimension of the space.
+        dim: usize,
+    },
     /// The set is proven to be empty where a nonempty one is needed.
     #[error("the set is empty")]
     EmptySet,

@@ -47,7 +47,8 @@ mod zonotope;
 
 pub use bundle::{BundleComplexity, ZonotopeBundle};
 pub use constrained_zonotope::{
-    Complexity, ConstrainedZonotope, Contradiction, Directions, Emptiness, Optimizer, Reencoding, TemplateWidths,
+    Complexity, ConstrainedZonotope, Containment, Contradiction, Directions, Emptiness, Optimizer, Reencoding,
+    TemplateWidths,
 };
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;

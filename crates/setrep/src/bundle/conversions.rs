@@ -1,8 +1,10 @@
 //! Bundles and constrained zonotopes.
 
 use scalars::Interval;
+use scalars::rounding::{add_down, add_up, sub_down, sub_up};
 
 use super::ZonotopeBundle;
+use crate::bounds::two_sum;
 use crate::ops::linear_map::is_model_size;
 use crate::{ConstrainedZonotope, SetError, Zonotope};
 
@@ -59,5 +61,26 @@ impl ZonotopeBundle {
             }
         }
         target.settle_ranges()
+    }
+
+    /// As [`to_constrained_zonotope`](Self::to_constrained_zonotope) with ranges rounded inward and `e = 0` for the first member: a
+    /// subset of the intersection. `None` if rounding leaves nothing of a range.
+    pub(super) fn inner_program(&self) -> Result<Option<ConstrainedZonotope>, SetError> {
+        let mut inner = self.to_constrained_zonotope()?;
+        inner.body.remainder.fill(0.0);
+        let n = self.dim();
+        for (row, range) in inner.ranges.iter_mut().enumerate() {
+            let (member, i) = (&self.members[1 + row / n], row % n);
+            let (difference, error) = two_sum(member.center()[i], -inner.body.center[i]);
+            let (slack, error) = (member.remainder()[i], error.abs());
+            let ends = if slack == 0.0 && error == 0.0 {
+                (difference, difference)
+            } else {
+                (add_up(sub_up(difference, slack), error), sub_down(add_down(difference, slack), error))
+            };
+            let Ok(narrowed) = Interval::new(ends.0, ends.1) else { return Ok(None) };
+            *range = narrowed;
+        }
+        Ok(Some(inner))
     }
 }

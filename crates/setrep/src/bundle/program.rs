@@ -46,8 +46,8 @@ impl ZonotopeBundle {
     /// The rows that a contradiction names are those of [`to_constrained_zonotope`](Self::to_constrained_zonotope), against which it
     /// can be verified.
     ///
-    /// **Guarantee:** both proofs hold for the exact set: the program is exact for the members but for rounding, which widens it, so
-    /// non-emptiness is only claimed for a single member, or where the proven point lies in every member.
+    /// **Guarantee:** both proofs hold for the exact set: emptiness is proven of the program, which rounding only widens, the opposite
+    /// of one whose ranges are rounded inward.
     ///
     /// # Errors
     /// [`SetError::TooLarge`], [`SetError::Overflow`].
@@ -65,14 +65,12 @@ impl ZonotopeBundle {
     /// ```
     pub fn emptiness(&self, workspace: &mut Workspace) -> Result<Emptiness, SetError> {
         let verdict = self.with_program(workspace, ConstrainedZonotope::emptiness)?;
-        let Emptiness::ProvenNonEmpty(witness) = verdict else { return Ok(verdict) };
-        if self.members.len() == 1 {
-            return Ok(Emptiness::ProvenNonEmpty(witness));
+        if !matches!(verdict, Emptiness::ProvenNonEmpty(_)) {
+            return Ok(verdict);
         }
-        // The widened program has a point there: its middle may be a member of every exact one.
-        let middle = IntervalVector::point(&witness.mid());
-        Ok(match self.membership(&middle, workspace)? {
-            Membership::ProvenInside => Emptiness::ProvenNonEmpty(middle),
+        let Some(inner) = self.inner_program()? else { return Ok(Emptiness::Undecided) };
+        Ok(match inner.emptiness(workspace)? {
+            Emptiness::ProvenNonEmpty(witness) => Emptiness::ProvenNonEmpty(witness),
             _ => Emptiness::Undecided,
         })
     }

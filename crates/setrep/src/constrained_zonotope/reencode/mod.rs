@@ -194,7 +194,7 @@ impl ConstrainedZonotope {
     }
 
     /// The empty set if a constraint is allowed to say so, a point otherwise.
-    fn become_empty(&mut self, constraints: usize) {
+    pub(super) fn become_empty(&mut self, constraints: usize) {
         self.body.generators.reset(self.body.center.len(), 0);
         self.body.remainder.fill(0.0);
         self.constraints.reset(0, 0);
