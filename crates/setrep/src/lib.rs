@@ -8,8 +8,11 @@
 //! [`ConstrainedZonotope`] adds constraints with ranges, `A xi in [b]`: intersections with strips, half-spaces and other sets are exact
 //! but for rounding, and support, hull, emptiness and membership come with proofs from linear programs that need not be trusted.
 //!
+//! Its [`reencode`](ConstrainedZonotope::reencode) bounds its complexity; [`ZonotopeBundle`] keeps an intersection of zonotopes as it is.
+//!
 //! Reading order: [`Matrix`], [`IntervalVector`], [`IntervalMatrix`], [`Zonotope`], then one operation a file in `ops`,
-//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope`.
+//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope` (LP re-encoding in
+//! `reencode`, sets in sets in `inclusion`), [`ZonotopeBundle`] in `bundle`.
 //!
 //! ```
 //! use setrep::{Matrix, Reduction, Workspace, Zonotope};
