@@ -1,11 +1,12 @@
 //! Convex hulls, projections, slices, and the inclusion by elimination.
 
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, IntervalMatrix, SetError, Workspace};
+use setrep::{ConstrainedZonotope, IntervalMatrix, Matrix, SetError, Workspace};
 
 use crate::SEED;
 use crate::common::dyadic::Dyadic;
 use crate::common::random::{Random, cases};
+use crate::inclusion::banded;
 use crate::member::{around, assert_not_refuted, constrained, is_extended_witness};
 
 fn sizes(random: &mut Random) -> (usize, usize) {
@@ -106,11 +107,10 @@ fn slices_contain_members_with_those_values() {
     assert!(matches!(set.slice(&[5], &ranges[..1], &mut workspace), Err(SetError::NoSuchCoordinate { .. })));
 }
 
-/// The paper's inclusion contains exact images, and its `P` is never below that of the hull.
+/// The paper's inclusion contains exact images.
 #[test]
-fn inclusions_by_elimination_are_wider() {
+fn inclusions_by_elimination_contain_images() {
     let mut workspace = Workspace::new();
-    let mut strictly = 0;
     for case in 0..cases(2_000) {
         let mut random = Random::new(SEED + 73, case);
         let n = random.between(1, 4);
@@ -128,18 +128,31 @@ fn inclusions_by_elimination_are_wider() {
             })
             .collect();
         let map = IntervalMatrix::new(mid, rad).unwrap();
+        let mut by_elimination = set.clone();
+        by_elimination.interval_map_by_elimination_in_place(&map, &mut workspace).unwrap();
+        let proven = is_extended_witness(&set, &by_elimination, &member, &[], &x);
+        assert!(proven, "seed {SEED}+73 case {case}: {set:?} {map:?} {by_elimination:?}");
+    }
+}
+
+/// `P` of the paper is never below that of the hull, and often well above it.
+#[test]
+fn inclusions_over_the_hull_are_narrower() {
+    let mut workspace = Workspace::new();
+    let mut strictly = 0;
+    for case in 0..cases(500) {
+        let mut random = Random::new(SEED + 74, case);
+        let n = random.between(1, 3);
+        let set = banded(&mut random, n, 6, 3);
+        let map = IntervalMatrix::new(Matrix::identity(n), Matrix::identity(n)).unwrap();
         let hull = set.interval_hull(&mut workspace).unwrap();
         let (mut by_hull, mut by_elimination) = (set.clone(), set.clone());
         by_hull.interval_map_in_place(&map, &hull, &mut workspace).unwrap();
         by_elimination.interval_map_by_elimination_in_place(&map, &mut workspace).unwrap();
-        let proven = is_extended_witness(&set, &by_elimination, &member, &[], &x);
-        assert!(proven, "seed {SEED}+73 case {case}: {set:?} {map:?} {by_elimination:?}");
-        for i in 0..p {
-            let (narrow, wide) = (by_hull.remainder()[i], by_elimination.remainder()[i]);
-            // Multipliers of nearly dependent rows lose accuracy in proportion to their size.
-            assert!(narrow <= wide * (1.0 + 1e-4), "seed {SEED}+73 case {case}: {narrow} {wide} {set:?} {map:?}");
-            strictly += usize::from(narrow < 0.9 * wide);
+        for (narrow, wide) in by_hull.remainder().iter().zip(by_elimination.remainder()) {
+            assert!(*narrow <= wide * (1.0 + 1e-9), "seed {SEED}+74 case {case}: {narrow} {wide} {set:?}");
+            strictly += usize::from(*narrow < 0.9 * wide);
         }
     }
-    assert!(strictly > cases(2_000) / 10, "{strictly}");
+    assert!(strictly > cases(500) / 4, "{strictly}");
 }

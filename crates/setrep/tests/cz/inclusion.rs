@@ -12,7 +12,7 @@ use crate::common::random::{Random, cases};
 use crate::member::{around, assert_not_refuted, constrained};
 
 /// A random set with bands, of moderate numbers.
-fn banded(random: &mut Random, n: usize, m: usize, rows: usize) -> ConstrainedZonotope {
+pub(crate) fn banded(random: &mut Random, n: usize, m: usize, rows: usize) -> ConstrainedZonotope {
     let mut matrix = |rows: usize, cols: usize| {
         let entries: Vec<f64> = (0..rows * cols).map(|_| random.moderate()).collect();
         Matrix::from_column_slice(rows, cols, &entries).unwrap()
