@@ -3,12 +3,16 @@
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
 
+mod decomposition;
 mod error;
 mod expanded;
 mod expansion;
 mod function;
 mod image;
 mod jet;
+mod parallelotope;
+mod range;
+mod signs;
 mod smoothness;
 mod solution;
 mod workspace;
@@ -16,8 +20,11 @@ mod workspace;
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
-pub use image::polytopic_image;
+pub use image::{
+    ConvexSplit, dc_image, dc_image_of_zonotope, decomposition_image, decomposition_image_of_zonotope, polytopic_image,
+};
 pub use jet::Jet;
+pub use range::{RangeMethod, range};
 pub use smoothness::Smoothness;
-pub use solution::{polytopic_solution, polytopic_solution_lift};
+pub use solution::{decomposition_solution, polytopic_solution, polytopic_solution_lift};
 pub use workspace::Workspace;

@@ -11,6 +11,8 @@ pub struct Workspace {
     pub(crate) eliminated: Option<setrep::ConstrainedZonotope>,
     /// The derivatives of the function at hand.
     pub(crate) jet: Jet,
+    /// The buffers of ranges.
+    pub(crate) range: crate::range::Scratch,
 }
 
 impl Workspace {

@@ -1,5 +1,9 @@
 //! Images of sets, `{ f(x, p) : x in X }`; one method a file.
 
+mod dc;
+mod decomposition;
 mod polytopic;
 
+pub use dc::{ConvexSplit, dc_image, dc_image_of_zonotope};
+pub use decomposition::{decomposition_image, decomposition_image_of_zonotope};
 pub use polytopic::polytopic_image;

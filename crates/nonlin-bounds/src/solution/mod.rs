@@ -1,7 +1,9 @@
 //! Solution sets, `{ x in X : g(x, p) in Y }`; one method a file.
 
+mod decomposition;
 mod polytopic;
 mod polytopic_lift;
 
+pub use decomposition::decomposition_solution;
 pub use polytopic::polytopic_solution;
 pub use polytopic_lift::polytopic_solution_lift;
