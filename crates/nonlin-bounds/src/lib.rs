@@ -4,6 +4,7 @@
 //! enclosure of this crate takes.
 
 mod decomposition;
+mod derivative;
 mod error;
 mod expanded;
 mod expansion;
@@ -17,6 +18,7 @@ mod smoothness;
 mod solution;
 mod workspace;
 
+pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};

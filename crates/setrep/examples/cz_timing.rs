@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use setrep::{Complexity, ConstrainedZonotope, Matrix, Reduction, SetError, Workspace};
+use setrep::{Complexity, ConstrainedZonotope, Directions, Matrix, Reduction, Reencoding, SetError, Workspace};
 
 /// Entries in `[-1, 1]`, the same in every run.
 fn entries(count: usize, seed: &mut u64) -> Vec<f64> {
@@ -25,7 +25,7 @@ fn least_us(runs: usize, mut run: impl FnMut() -> Result<(), SetError>) -> Resul
 }
 
 fn main() -> Result<(), SetError> {
-    println!("    n   ng   nc    hull us  support us   reduce us");
+    println!("    n   ng   nc    hull us  support us   reduce us  reencode us");
     for (n, ng, nc) in [(2, 8, 3), (4, 12, 5), (10, 40, 10), (20, 200, 40)] {
         let mut seed = 7;
         let g = Matrix::from_column_slice(n, ng, &entries(n * ng, &mut seed))?;
@@ -41,7 +41,12 @@ fn main() -> Result<(), SetError> {
             reduced.clone_from(&set);
             reduced.reduce(limit, Reduction::Method4, &mut workspace)
         })?;
-        println!("{n:>5}{ng:>5}{nc:>5}{hull_us:>11.1}{support_us:>12.1}{reduce_us:>12.1}");
+        let mut directions = Directions::new(n);
+        let reencode_us = least_us(20, || {
+            reduced.clone_from(&set);
+            reduced.reencode(Reencoding::new(n + 1), &mut directions, &mut workspace)
+        })?;
+        println!("{n:>5}{ng:>5}{nc:>5}{hull_us:>11.1}{support_us:>12.1}{reduce_us:>12.1}{reencode_us:>13.1}");
     }
     Ok(())
 }

@@ -43,7 +43,9 @@ mod wedge;
 mod workspace;
 mod zonotope;
 
-pub use constrained_zonotope::{Complexity, ConstrainedZonotope, Contradiction, Emptiness, Optimizer};
+pub use constrained_zonotope::{
+    Complexity, ConstrainedZonotope, Contradiction, Directions, Emptiness, Optimizer, Reencoding, TemplateWidths,
+};
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;

@@ -30,6 +30,8 @@ pub struct Workspace {
     pub(crate) draft: Option<crate::ConstrainedZonotope>,
     pub(crate) backup: Option<crate::ConstrainedZonotope>,
     pub(crate) lift: Option<crate::Zonotope>,
+    /// A re-encoding under way.
+    pub(crate) reencoding: crate::constrained_zonotope::ReencodingScratch,
 }
 
 impl Workspace {

@@ -3,7 +3,7 @@
 use scalars::Interval;
 
 use super::ConstrainedZonotope;
-use super::rows::{check_not_empty, clip, combine, combine_box, finite_norm};
+use super::rows::check_not_empty;
 use crate::bounds::add_abs_row_sums;
 use crate::ops::linear_map::is_model_size;
 use crate::{Matrix, Part, SetError, Workspace};
@@ -154,20 +154,13 @@ impl ConstrainedZonotope {
             coefficients.clear();
             coefficients.extend((0..rows.cols()).map(|k| rows.col(k)[i]));
             let row = &mut matrix[i * columns..(i + 1) * columns];
-            let error = combine(coefficients, self.generators(), row);
-            let mut norm: f64 = row.iter().map(|x| x.abs()).sum();
-            let mut entries = columns;
+            let (mut norm, mut entries) = (0.0, 0);
             if let Some(other) = other {
-                norm += (0..other.num_generators()).map(|j| other.generators().col(j)[i].abs()).sum::<f64>();
-                entries += other.num_generators();
+                entries = other.num_generators();
+                norm = (0..entries).map(|j| other.generators().col(j)[i].abs()).sum();
             }
-            let offset = combine_box(coefficients, self.center(), self.remainder());
-            let shifted = (*range - offset).inflate(error);
-            let bounded = error.is_finite() && offset.is_bounded() && !shifted.is_empty();
-            if !bounded {
-                return Err(SetError::Overflow { row: i });
-            }
-            formed.push(clip(shifted, finite_norm(i, norm, entries)?));
+            let range = self.form_row(coefficients, *range, row, norm, entries);
+            formed.push(range.ok_or(SetError::Overflow { row: i })?);
         }
         Ok(())
     }

@@ -12,6 +12,7 @@ mod minkowski_sum;
 mod optimizer;
 mod reduce;
 mod redundancy;
+mod reencode;
 mod rescale;
 mod rows;
 mod score;
@@ -19,6 +20,8 @@ mod score;
 pub use emptiness::{Contradiction, Emptiness};
 pub use optimizer::Optimizer;
 pub use reduce::Complexity;
+pub(crate) use reencode::Scratch as ReencodingScratch;
+pub use reencode::{Directions, Reencoding, TemplateWidths};
 use scalars::Interval;
 
 use crate::{Matrix, Part, SetError, Zonotope};

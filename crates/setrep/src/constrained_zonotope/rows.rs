@@ -13,6 +13,25 @@ impl ConstrainedZonotope {
         finite_norm(i, sum, self.num_generators())
     }
 
+    /// The row of `a'x in [d]`, an intersection: writes `a'G` to `row` and returns `[d] - a'c +- |a|'r`, widened by the rounding of the
+    /// row and clipped to its reach. `norm` is the sum of absolute values of `entries` further entries that the row will have.
+    /// `None` if something overflows.
+    pub(super) fn form_row(
+        &self,
+        a: &[f64],
+        range: Interval,
+        row: &mut [f64],
+        norm: f64,
+        entries: usize,
+    ) -> Option<Interval> {
+        let error = combine(a, self.generators(), row);
+        let reach = sum_bound(norm + row.iter().map(|x| x.abs()).sum::<f64>(), row.len() + entries);
+        let offset = combine_box(a, self.center(), self.remainder());
+        let shifted = (range - offset).inflate(error);
+        let bounded = error.is_finite() && reach.is_finite() && offset.is_bounded() && !shifted.is_empty();
+        bounded.then(|| clip(shifted, reach))
+    }
+
     /// Gives the constraint matrix the zero columns of generators that were appended to the body.
     pub(super) fn pad_constraints(&mut self) {
         self.constraints.push_zero_cols(self.body.num_generators() - self.constraints.cols());

@@ -120,7 +120,7 @@ impl ConstrainedZonotope {
 
 /// Cholesky factor of a symmetric positive definite matrix, in its lower triangle (column-major); a pivot that is not positive makes
 /// the results NaN or large, which only spoils the choice.
-fn factorise(a: &mut [f64], n: usize) {
+pub(super) fn factorise(a: &mut [f64], n: usize) {
     for k in 0..n {
         let pivot = a[k * n + k].sqrt();
         for i in k..n {
@@ -136,7 +136,7 @@ fn factorise(a: &mut [f64], n: usize) {
 }
 
 /// Solves `L L' x = b` in place.
-fn solve(factor: &[f64], n: usize, x: &mut [f64]) {
+pub(super) fn solve(factor: &[f64], n: usize, x: &mut [f64]) {
     for k in 0..n {
         x[k] /= factor[k * n + k];
         for i in k + 1..n {

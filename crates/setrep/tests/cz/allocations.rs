@@ -2,7 +2,9 @@
 
 use allocation_counter::measure;
 use scalars::Interval;
-use setrep::{Complexity, ConstrainedZonotope, Matrix, Reduction, Workspace, Zonotope};
+use setrep::{
+    Complexity, ConstrainedZonotope, Directions, Matrix, Reduction, Reencoding, TemplateWidths, Workspace, Zonotope,
+};
 
 use crate::common::random::Random;
 
@@ -21,6 +23,7 @@ fn a_warm_step_allocates_nothing() {
     let (map, c) = (matrix(n, n), matrix(2, n));
     let (mut set, mut hull, mut workspace) = (start.clone(), vec![Interval::ZERO; n], Workspace::new());
     let mut reduced = start.clone();
+    let mut directions = Directions::new(n);
     let mut step = || {
         set.clone_from(&start);
         set.linear_map_in_place(&map, &mut workspace).unwrap();
@@ -29,6 +32,13 @@ fn a_warm_step_allocates_nothing() {
         for method in [Reduction::Method4, Reduction::Girard, Reduction::Combastel, Reduction::Pca] {
             reduced.clone_from(&set);
             reduced.reduce(Complexity { generators: 9, constraints: 4 }, method, &mut workspace).unwrap();
+        }
+        directions.transport(&map, &mut workspace).unwrap();
+        directions.push_rows(&c).unwrap();
+        reduced.clone_from(&set);
+        for widths in [TemplateWidths::SingleRows, TemplateWidths::LinearPrograms] {
+            let options = Reencoding { widths, ..Reencoding::new(6) };
+            reduced.reencode(options, &mut directions, &mut workspace).unwrap();
         }
         set.interval_hull_into(&mut hull, &mut workspace).unwrap();
         set.support(&[1.0, 2.0, 3.0, 4.0], &mut workspace).unwrap() + hull[0].hi()

@@ -18,6 +18,7 @@ mod member;
 mod optimization;
 mod peers;
 mod reduction;
+mod reencoding;
 mod simplification;
 
 /// Seed of all batteries; printed with every failing case.
