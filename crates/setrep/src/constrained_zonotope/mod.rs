@@ -19,6 +19,7 @@ mod score;
 
 pub use emptiness::{Contradiction, Emptiness};
 pub use optimizer::Optimizer;
+pub(crate) use optimizer::{prepared, refused};
 pub use reduce::Complexity;
 pub(crate) use reencode::Scratch as ReencodingScratch;
 pub use reencode::{Directions, Reencoding, TemplateWidths};
