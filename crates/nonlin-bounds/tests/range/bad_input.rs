@@ -77,10 +77,13 @@ fn poles_and_domains() {
         let result = range_of(&Rough(2), &[interval(-1.0, 1.0)], method);
         match method {
             RangeMethod::Natural | RangeMethod::Tight => {
-                assert_eq!(result, Err(BoundError::UnboundedResult { output: 0 }))
+                assert_eq!(result, Err(BoundError::UnboundedResult { output: 0 }));
             }
             _ => {
-                assert!(matches!(result, Err(BoundError::NotSmooth { found: Smoothness::Undefined, .. })), "{method:?}")
+                assert!(
+                    matches!(result, Err(BoundError::NotSmooth { found: Smoothness::Undefined, .. })),
+                    "{method:?}"
+                );
             }
         }
         // Partly outside of the domain: the values there are, and no derivatives.
@@ -91,7 +94,10 @@ fn poles_and_domains() {
                 assert!(interval(0.0, 2.0).subset_of(&y) && y.width() < 2.0 + 1e-15);
             }
             _ => {
-                assert!(matches!(result, Err(BoundError::NotSmooth { found: Smoothness::Undefined, .. })), "{method:?}")
+                assert!(
+                    matches!(result, Err(BoundError::NotSmooth { found: Smoothness::Undefined, .. })),
+                    "{method:?}"
+                );
             }
         }
         // Outside of it.
