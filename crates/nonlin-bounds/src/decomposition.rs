@@ -9,6 +9,7 @@ use scalars::Interval;
 use scalars::rounding::add_up;
 use setrep::{ConstrainedZonotope, IntervalVector, Matrix, SetError};
 
+use crate::derivatives::Derivatives;
 use crate::signs::{Purpose, Signs};
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
 
@@ -49,35 +50,32 @@ impl Decomposition {
         }
         set.rescale(&mut workspace.sets)?;
 
-        let body = set.unconstrained().interval_hull();
-        let (mut over_body, mut over_hull) = (Jet::new(), Jet::new());
-        f.enclose(Order::Jacobian, &hull, p, &mut over_hull)?;
-        BoundError::check_smooth(&over_hull, Smoothness::C1)?;
-        // Without constraints both boxes are the same but for rounding; outside the hull the function may not even be defined.
-        let body_is_usable = f.enclose(Order::Jacobian, &body, p, &mut over_body).is_ok();
-        let (m, n) = (f.outputs(), set.dim());
-        let mut rows =
-            Rows { f, p, set: &set, hull: &hull, i: 0, signs: Signs::default(), jet: Jet::new(), best: None };
-        let mut decomposition = (Matrix::zeros(m, set.num_generators()), Vec::with_capacity(m));
+        let middle: Vec<f64> = hull.iter().map(Interval::mid).collect();
+        let over_hull = Derivatives::over(f, &hull, &middle, p)?;
+        BoundError::check_smooth(&over_hull.over, Smoothness::C1)?;
+        // Outside of the hull, where the generators of a constrained set reach, the function may not be smooth: then they give no rows.
+        let over_body = Derivatives::over(f, &set.unconstrained().interval_hull(), set.center(), p).ok();
+        let m = f.outputs();
+        let mut rows = Matrix::zeros(m, set.num_generators());
+        let mut residuals = Vec::with_capacity(m);
+        let mut search =
+            Search { f, p, set: &set, hull: &hull, i: 0, signs: Signs::default(), jet: Jet::new(), best: None };
         for i in 0..m {
-            (rows.i, rows.best) = (i, None);
-            rows.over_axes(&over_hull.jacobian()[i * n..(i + 1) * n])?;
-            if body_is_usable && over_body.smoothness()[i] >= Smoothness::C1 {
-                rows.over_generators(&over_body.jacobian()[i * n..(i + 1) * n])?;
+            (search.i, search.best) = (i, None);
+            search.over_axes(&over_hull.along_axes(i, &hull, &middle))?;
+            if let Some(body) = over_body.as_ref().filter(|body| body.over.smoothness()[i] >= Smoothness::C1) {
+                search.over_generators(&body.along_generators(i, &set))?;
             }
-            let (row, residual) = rows.best.take().ok_or(BoundError::UnboundedResult { output: i })?;
-            for (j, entry) in row.into_iter().enumerate() {
-                decomposition.0[(i, j)] = entry;
-            }
-            decomposition.1.push(residual);
+            let (row, residual) = search.best.take().ok_or(BoundError::UnboundedResult { output: i })?;
+            row.iter().enumerate().for_each(|(j, &entry)| rows[(i, j)] = entry);
+            residuals.push(residual);
         }
-        let (rows, residuals) = decomposition;
         Ok(Self { set, hull, rows, residuals })
     }
 }
 
 /// The search for the best row of one output.
-struct Rows<'a> {
+struct Search<'a> {
     f: &'a dyn DynFunction,
     p: &'a [Interval],
     set: &'a ConstrainedZonotope,
@@ -88,11 +86,11 @@ struct Rows<'a> {
     best: Option<(Vec<f64>, Interval)>,
 }
 
-impl Rows<'_> {
+impl Search<'_> {
     /// Rows over the axes of the hull: `f_i(x)` in `m'(x - c) + [g]` on the hull, then `x - c = G xi + e`.
-    fn over_axes(&mut self, gradient: &[Interval]) -> Result<(), BoundError> {
+    fn over_axes(&mut self, slopes: &[Interval]) -> Result<(), BoundError> {
         let (hull, center) = (self.hull, self.set.center());
-        self.signs.plan(Purpose::Rows, gradient.iter().copied(), |k| hull[k].width());
+        self.signs.plan(Purpose::Rows, slopes.iter().copied(), |k| hull[k].width());
         for choice in 0..self.signs.choices() {
             self.signs.choose(choice);
             let signs = &self.signs;
@@ -114,11 +112,10 @@ impl Rows<'_> {
         Ok(())
     }
 
-    /// Rows over the generators: the derivative by `xi_j` is `[J_i] G_j`. A remainder of rounding size widens the corners.
-    fn over_generators(&mut self, gradient: &[Interval]) -> Result<(), BoundError> {
+    /// Rows over the generators. A remainder of rounding size widens the corners.
+    fn over_generators(&mut self, slopes: &[Interval]) -> Result<(), BoundError> {
         let generators = self.set.generators();
-        let slope = |column: &[f64]| gradient.iter().zip(column).fold(Interval::ZERO, |sum, (j, &g)| sum + j.scale(g));
-        self.signs.plan(Purpose::Rows, generators.columns().map(slope), |_| 2.0);
+        self.signs.plan(Purpose::Rows, slopes.iter().copied(), |_| 2.0);
         for choice in 0..self.signs.choices() {
             self.signs.choose(choice);
             let signs = &self.signs;

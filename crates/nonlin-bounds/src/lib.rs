@@ -3,8 +3,10 @@
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
 
+mod affine;
 mod decomposition;
 mod derivative;
+mod derivatives;
 mod error;
 mod expanded;
 mod expansion;
@@ -12,21 +14,25 @@ mod function;
 mod image;
 mod jet;
 mod parallelotope;
+mod quadratic;
 mod range;
 mod signs;
 mod smoothness;
 mod solution;
 mod workspace;
 
+pub use affine::{AffineEnclosure, Domain, Form};
 pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use image::{
-    ConvexSplit, dc_image, dc_image_of_zonotope, decomposition_image, decomposition_image_of_zonotope, polytopic_image,
+    ConvexSplit, GeneratorSet, affine_image, dc_image, dc_image_of_zonotope, decomposition_image,
+    decomposition_image_of_zonotope, polytopic_image,
 };
 pub use jet::Jet;
+pub use quadratic::{Copies, QuadraticEnclosure};
 pub use range::{RangeMethod, range};
 pub use smoothness::Smoothness;
-pub use solution::{decomposition_solution, polytopic_solution, polytopic_solution_lift};
+pub use solution::{Rows, decomposition_solution, polytopic_solution, polytopic_solution_lift};
 pub use workspace::Workspace;

@@ -77,7 +77,7 @@ pub fn dc_image(
     image.translate(&opposite(&frame.center))?;
     let hull = image.interval_hull(sets)?;
     image.interval_map_in_place(&line.map, &hull, sets)?;
-    image.add_assign(&ConstrainedZonotope::from_intervals(&line.offsets)?)?;
+    image.add_box(&line.offsets)?;
     Ok(image)
 }
 
@@ -99,7 +99,7 @@ pub fn dc_image_of_zonotope(
     let mut image = set.clone();
     image.translate(&opposite(&frame.center))?;
     image.interval_map_in_place(&line.map, &mut workspace.sets)?;
-    image.add_assign(&Zonotope::from_intervals(&line.offsets)?)?;
+    image.add_box(&line.offsets)?;
     Ok(image)
 }
 

@@ -11,6 +11,7 @@ mod slope;
 mod tight;
 
 use scalars::Interval;
+pub(crate) use tight::enclose_as_far_as_possible;
 
 use crate::signs::Signs;
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};

@@ -3,7 +3,7 @@
 use scalars::Interval;
 
 use super::{Scratch, mean_value, mixed_monotone, natural, second_order, slope};
-use crate::{BoundError, DynFunction, Order, Smoothness};
+use crate::{BoundError, DynFunction, Jet, Order, Smoothness};
 
 /// Bounds every output by all methods for which derivatives are available and proven continuous.
 ///
@@ -15,7 +15,7 @@ pub(super) fn tighten(
     p: &[Interval],
     scratch: &mut Scratch,
 ) -> Result<(), BoundError> {
-    let order = enclose_as_far_as_possible(f, x, p, scratch)?;
+    let order = enclose_as_far_as_possible(f, x, p, &mut scratch.over)?;
     scratch.keep(natural::range);
     let is_c1 = |scratch: &Scratch, i: usize| scratch.over.smoothness()[i] >= Smoothness::C1;
     let is_c2 = |scratch: &Scratch, i: usize| order == Order::Hessian && scratch.over.smoothness()[i] >= Smoothness::C2;
@@ -46,20 +46,20 @@ pub(super) fn tighten(
 }
 
 /// Encloses the function over the box with the highest derivatives that it offers.
-fn enclose_as_far_as_possible(
+pub(crate) fn enclose_as_far_as_possible(
     f: &dyn DynFunction,
     x: &[Interval],
     p: &[Interval],
-    scratch: &mut Scratch,
+    jet: &mut Jet,
 ) -> Result<Order, BoundError> {
     for order in [Order::Hessian, Order::Jacobian] {
-        match f.enclose(order, x, p, &mut scratch.over) {
+        match f.enclose(order, x, p, jet) {
             Err(BoundError::OrderNotAvailable { .. }) => {}
             Err(error) => return Err(error),
             Ok(()) => return Ok(order),
         }
     }
-    f.enclose(Order::Value, x, p, &mut scratch.over)?;
+    f.enclose(Order::Value, x, p, jet)?;
     Ok(Order::Value)
 }
 
