@@ -6,7 +6,7 @@
 mod affine;
 mod decomposition;
 mod derivative;
-mod derivatives;
+mod directional;
 mod error;
 mod expanded;
 mod expansion;
