@@ -2,8 +2,15 @@
 //!
 //! A [`Function`] is written once, generic over [`scalars::Scalar`]; [`DynFunction`] is its object-safe twin, which every
 //! enclosure of this crate takes.
+//!
+//! A [`Tape`] is a function recorded as data: it can be run backwards and printed. [`ForwardBackward`] and [`IntervalNewton`] shrink boxes
+//! around the solutions of `f(x, p) in Y`.
+//!
+//! [`range`] bounds the outputs over a box by any [`RangeMethod`]; [`Expansion`] names the points that functions are expanded about.
+//! [`decomposition_image`], [`decomposition_solution`] and [`dc_image`] enclose images and solution sets without fixing one expansion.
 
 mod affine;
+mod contract;
 mod decomposition;
 mod derivative;
 mod directional;
@@ -19,9 +26,11 @@ mod range;
 mod signs;
 mod smoothness;
 mod solution;
+mod tape;
 mod workspace;
 
 pub use affine::{AffineEnclosure, Domain, Form};
+pub use contract::{Conflict, Contraction, ForwardBackward, IntervalNewton};
 pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
@@ -35,4 +44,5 @@ pub use quadratic::{Copies, QuadraticEnclosure};
 pub use range::{RangeMethod, range};
 pub use smoothness::Smoothness;
 pub use solution::{Rows, decomposition_solution, polytopic_solution, polytopic_solution_lift};
+pub use tape::Tape;
 pub use workspace::Workspace;
