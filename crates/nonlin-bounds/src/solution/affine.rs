@@ -1,7 +1,7 @@
 //! Solution sets by affine enclosures: rows of the mean value, slope, Taylor and natural forms.
 
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, Matrix, SetError};
+use setrep::{ConstrainedZonotope, Matrix, SetError, Strip};
 
 use crate::{AffineEnclosure, BoundError, Operand, Workspace};
 
@@ -33,18 +33,13 @@ impl Rows {
         &self.ranges
     }
 
-    /// The strip of row `i`: its range, the direction written to `direction` (length `n`); `None` if there is no such row.
+    /// The rows one by one, for sets that are cut by strips.
     ///
     /// # Errors
-    /// [`BoundError::Dimension`].
-    pub fn strip_into(&self, i: usize, direction: &mut [f64]) -> Result<Option<Interval>, BoundError> {
-        BoundError::check_size(Operand::Variables, self.directions.cols(), direction.len())?;
-        if i < self.ranges.len() {
-            for (entry, column) in direction.iter_mut().zip(self.directions.columns()) {
-                *entry = column[i];
-            }
-        }
-        Ok(self.ranges.get(i).copied())
+    /// [`SetError::ZeroDimension`] for rows without variables.
+    pub fn strips(&self) -> Result<Vec<Strip>, BoundError> {
+        let direction = |i: usize| -> Vec<f64> { self.directions.columns().map(|column| column[i]).collect() };
+        self.ranges.iter().enumerate().map(|(i, &range)| Ok(Strip::new(&direction(i), range)?)).collect()
     }
 
     /// Intersection of a constrained zonotope with all rows: no generators, one constraint a row.
