@@ -25,5 +25,5 @@ pub use image::{GeneratorSet, affine_image, polytopic_image};
 pub use jet::Jet;
 pub use quadratic::{Copies, QuadraticEnclosure};
 pub use smoothness::Smoothness;
-pub use solution::{Rows, polytopic_solution, polytopic_solution_lift};
+pub use solution::{Rows, affine_solution, polytopic_solution, polytopic_solution_lift};
 pub use workspace::Workspace;

@@ -5,5 +5,6 @@ mod polytopic;
 mod set;
 
 pub use affine::affine_image;
+pub(crate) use affine::enclose_over_hull;
 pub use polytopic::polytopic_image;
 pub use set::GeneratorSet;

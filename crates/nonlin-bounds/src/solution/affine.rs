@@ -3,7 +3,8 @@
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Matrix, SetError, Strip};
 
-use crate::{AffineEnclosure, BoundError, Operand, Workspace};
+use crate::image::enclose_over_hull;
+use crate::{AffineEnclosure, BoundError, DynFunction, Expansion, Form, Operand, Workspace};
 
 /// Rows `C x in [d]`, one for each output that says something. Shapes `C: k x n`, `[d]: k` intervals.
 ///
@@ -246,4 +247,28 @@ impl AffineEnclosure {
         workspace.map = map;
         result
     }
+}
+
+/// The part of a set with `g(x, p) in Y`, `Y` a box whose sides may be unbounded, in one of the forms of [`Form`] over the interval
+/// hull of the set. Noises are among the variables: stack their set with the states'.
+///
+/// To enclose several times over one hull, to name noises, or to allocate nothing, use [`AffineEnclosure`].
+///
+/// **Guarantee:** superset of `{ x in X : g(x, p) in Y }` for every `p` in the parameters, remainder and rounding included.
+///
+/// # Errors
+/// As [`AffineEnclosure::enclose`] and [`AffineEnclosure::intersect`]; [`SetError::EmptySet`] if the set is proven empty.
+pub fn affine_solution(
+    form: Form,
+    g: &dyn DynFunction,
+    set: &ConstrainedZonotope,
+    values: &[Interval],
+    at: Expansion<'_>,
+    p: &[Interval],
+    workspace: &mut Workspace,
+) -> Result<ConstrainedZonotope, BoundError> {
+    let enclosure = enclose_over_hull(form, g, set, at, p, workspace)?;
+    let mut solution = set.clone();
+    enclosure.intersect(&mut solution, values, workspace)?;
+    Ok(solution)
 }

@@ -4,6 +4,6 @@ mod affine;
 mod polytopic;
 mod polytopic_lift;
 
-pub use affine::Rows;
+pub use affine::{Rows, affine_solution};
 pub use polytopic::polytopic_solution;
 pub use polytopic_lift::polytopic_solution_lift;
