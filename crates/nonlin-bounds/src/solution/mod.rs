@@ -1,4 +1,8 @@
 //! Solution sets, `{ x in X : g(x, p) in Y }`; one method a file.
+//!
+//! Rows of an [`AffineEnclosure`](crate::AffineEnclosure) cut constrained zonotopes without slack generators, and are strips for
+//! zonotopes; they hold for every solution in the box that they were made on. So one may enclose again on the smaller hull that the
+//! rows leave, cut the first set with the rows of the last pass, and come back until the hull stops shrinking.
 
 mod affine;
 mod polytopic;
