@@ -29,6 +29,7 @@ mod bounding_box;
 mod chebyshev;
 mod clip;
 mod cone;
+mod enclosing;
 mod error_free;
 mod exact;
 mod facets;
