@@ -4,8 +4,9 @@ use scalars::Interval;
 use scalars::rounding::{div_up, sqrt_down};
 
 use super::hull::{Hull, Point, REACH, cross, minus};
+use super::outline::{ordered, simplified};
 use super::rim::{self, check_axes, finite};
-use crate::{HPolytope, Matrix, SetError, SupportFunction, VPolytope, Workspace};
+use crate::{HPolytope, Matrix, SetError, SupportFunction, Workspace};
 
 /// Steps of the grid by which a point must stick out of a facet to refine it.
 const STEPS: i128 = 8;
@@ -203,7 +204,7 @@ impl Grid<'_> {
                 let normal = cross(minus(q, p), minus(r, p));
                 let drop = (0..3).max_by_key(|&k| normal[k].abs()).unwrap_or(2);
                 let (i, j) = ((drop + 1) % 3, (drop + 2) % 3);
-                let rim = rim::contacts(self.set, [self.axes[i], self.axes[j]], self.workspace)?;
+                let (rim, resolution) = rim::contacts(self.set, [self.axes[i], self.axes[j]], self.workspace)?;
                 let mut plane = Matrix::zeros(2, 0);
                 for contact in &rim {
                     plane.push_col(&[contact.point[self.axes[i]], contact.point[self.axes[j]]])?;
@@ -211,12 +212,12 @@ impl Grid<'_> {
                     [direction[i], direction[j]] = contact.direction;
                     contacts.push(Contact { direction, support: contact.support });
                 }
-                let order = VPolytope::new(plane.clone())?.outline_2d()?;
-                let corner = |v: &[f64]| {
+                let corner = |v: [f64; 2]| {
                     let found = plane.columns().position(|x| x == v).unwrap_or(0);
                     self.axes.map(|axis| rim[found].point[axis])
                 };
-                let vertices: Vec<[f64; 3]> = order.columns().map(corner).collect();
+                let order = simplified(&ordered(plane.clone())?, resolution);
+                let vertices: Vec<[f64; 3]> = order.into_iter().map(corner).collect();
                 let fan = 2..vertices.len();
                 (vertices, fan.flat_map(|k| [[0, k - 1, k], [0, k, k - 1]]).collect())
             }

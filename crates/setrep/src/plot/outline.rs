@@ -3,6 +3,9 @@
 use super::rim::{self, Contact, dot};
 use crate::{HPolytope, Matrix, SetError, SupportFunction, VPolytope, Workspace};
 
+/// A gap below this share of the largest coordinate needs no more half-planes.
+const NARROW: f64 = 1e-10;
+
 /// The projection of a convex set on two coordinates, from outside and from inside; vertices counterclockwise, each once. A segment
 /// has two inner vertices, a point one.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,19 +43,22 @@ impl Outline {
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn new(set: &dyn SupportFunction, axes: [usize; 2], workspace: &mut Workspace) -> Result<Self, SetError> {
-        let contacts = rim::contacts(set, axes, workspace)?;
+        let (contacts, resolution) = rim::contacts(set, axes, workspace)?;
         let mut points = Matrix::zeros(2, 0);
         for contact in &contacts {
             points.push_col(&axes.map(|axis| contact.point[axis]))?;
         }
-        let inner = ordered(points)?;
-        // The half-planes of the edges are enough, unless the set is flat or has edges without end; then those of the vertices help.
+        let inner = simplified(&ordered(points)?, resolution);
+        let gap = |outer: &[[f64; 2]]| outer.iter().map(|&x| distance(x, &inner)).fold(0.0, f64::max);
+        let size = inner.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+        // The half-planes of the edges are enough, unless the set is flat, or so thin that they meet far away: then those of the
+        // vertices help.
         let edges: Vec<&Contact> = contacts.iter().filter(|contact| contact.is_edge).collect();
         let outer = match polygon(&edges) {
-            Ok(outer) if inner.len() > 2 => outer,
+            Ok(outer) if inner.len() > 2 && gap(&outer) <= NARROW * size => outer,
             _ => polygon(&contacts.iter().collect::<Vec<_>>())?,
         };
-        let gap = outer.iter().map(|&x| distance(x, &inner)).fold(0.0, f64::max);
+        let gap = gap(&outer);
         Ok(Self { outer, inner, gap })
     }
 }
@@ -79,8 +85,37 @@ fn polygon(contacts: &[&Contact]) -> Result<Vec<[f64; 2]>, SetError> {
     ordered(corners)
 }
 
+/// The vertices of a convex polygon that stick out of the chord of their neighbours by more than the resolution.
+pub(super) fn simplified(polygon: &[[f64; 2]], resolution: [f64; 2]) -> Vec<[f64; 2]> {
+    let flat = |p: [f64; 2], x: [f64; 2], q: [f64; 2]| {
+        let (chord, offset) = ([q[0] - p[0], q[1] - p[1]], [x[0] - p[0], x[1] - p[1]]);
+        let height = offset[0] * chord[1] - offset[1] * chord[0];
+        height <= chord[1].abs() * resolution[0] + chord[0].abs() * resolution[1]
+    };
+    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(polygon.len());
+    for &v in polygon {
+        while kept.len() > 1 && flat(kept[kept.len() - 2], kept[kept.len() - 1], v) {
+            kept.pop();
+        }
+        kept.push(v);
+    }
+    // Around the corner between the last and the first.
+    while kept.len() > 2 && flat(kept[kept.len() - 2], kept[kept.len() - 1], kept[0]) {
+        kept.pop();
+    }
+    while kept.len() > 2 && flat(kept[kept.len() - 1], kept[0], kept[1]) {
+        kept.remove(0);
+    }
+    if let [p, q] = kept[..] {
+        if (0..2).all(|k| (p[k] - q[k]).abs() <= resolution[k]) {
+            kept.pop();
+        }
+    }
+    kept
+}
+
 /// The vertices of the hull, counterclockwise.
-fn ordered(points: Matrix) -> Result<Vec<[f64; 2]>, SetError> {
+pub(super) fn ordered(points: Matrix) -> Result<Vec<[f64; 2]>, SetError> {
     let outline = VPolytope::new(points)?.outline_2d()?;
     Ok(outline.columns().map(|v| [v[0], v[1]]).collect())
 }

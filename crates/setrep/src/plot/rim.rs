@@ -23,12 +23,12 @@ pub(super) struct Contact {
     done: bool,
 }
 
-/// The contacts, counterclockwise from the direction of the first axis.
+/// The contacts, counterclockwise from the direction of the first axis, and the distance in each coordinate below which points are one.
 pub(super) fn contacts(
     set: &dyn SupportFunction,
     axes: [usize; 2],
     workspace: &mut Workspace,
-) -> Result<Vec<Contact>, SetError> {
+) -> Result<(Vec<Contact>, [f64; 2]), SetError> {
     check_axes(set, &axes)?;
     let mut search = Search { set, axes, resolution: [0.0; 2], workspace };
     let mut contacts = search.ask(&[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])?;
@@ -43,7 +43,7 @@ pub(super) fn contacts(
         let normals: Vec<Option<[f64; 2]>> = (0..contacts.len()).map(|k| search.open_edge(&mut contacts, k)).collect();
         let directions: Vec<[f64; 2]> = normals.iter().flatten().copied().collect();
         if directions.is_empty() || contacts.len() + directions.len() > MAX_DIRECTIONS {
-            return Ok(contacts);
+            return Ok((contacts, search.resolution));
         }
         let mut found = search.ask(&directions)?.into_iter();
         let mut next = Vec::with_capacity(contacts.len() + directions.len());
