@@ -69,7 +69,7 @@ impl HPolytope {
             let mut nonzeros = (0..n).filter(|&k| self.normals[(i, k)] != 0.0);
             if let (Some(k), None) = (nonzeros.next(), nonzeros.next()) {
                 let a = self.normals[(i, k)];
-                let end = div_up(offset, a.abs());
+                let end = if a.abs() == 1.0 { offset } else { div_up(offset, a.abs()) };
                 let side =
                     if a > 0.0 { Interval::new(f64::NEG_INFINITY, end) } else { Interval::new(-end, f64::INFINITY) };
                 hull[k] = hull[k].intersection(side.unwrap_or(Interval::ENTIRE));

@@ -25,7 +25,7 @@ impl HPolytope {
     /// # use setrep::{HPolytope, Matrix, Workspace, Zonotope};
     /// let slanted = Zonotope::new(&[0.0, 0.0], &Matrix::from_rows(&[&[2.0, 0.1], &[2.0, -0.1]])?)?;
     /// let outer = HPolytope::enclosing(&slanted, 8, &mut Workspace::new())?;
-    /// assert!(outer.num_half_spaces() <= 8 && outer.volume()?.hi() < 0.81);
+    /// assert!(outer.num_half_spaces() <= 8 && outer.volume()?.hi() < 1.601);
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn enclosing(
