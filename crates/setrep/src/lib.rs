@@ -9,7 +9,9 @@
 //! but for rounding, and support, hull, emptiness and membership come with proofs from linear programs that need not be trusted.
 //!
 //! Reading order: [`Matrix`], [`IntervalVector`], [`IntervalMatrix`], [`Zonotope`], then one operation a file in `ops`,
-//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope`.
+//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope`; [`Strip`] and [`HalfSpace`];
+//! [`HPolytope`] and [`VPolytope`] in `polytope`. What all have in common is [`SupportFunction`]; from it alone come polytopes of bounded
+//! size around a set ([`HPolytope::enclosing`]) and, in `plot`, [`Outline`] and [`Mesh`].
 //!
 //! ```
 //! use setrep::{Matrix, Reduction, Workspace, Zonotope};
