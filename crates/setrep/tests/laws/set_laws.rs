@@ -12,7 +12,7 @@ use crate::common::random::{Random, cases};
 const SEED: u64 = 13;
 
 /// A type whose operations are put to the test; an operation that a type does not have is `None`.
-trait Lawful: SupportFunction + Clone + Sized {
+trait Lawful: SupportFunction + Clone + core::fmt::Debug {
     /// Supports of equal sets agree to this share of the sets' size.
     const AGREEMENT: f64;
 
@@ -126,11 +126,15 @@ impl Lawful for ConstrainedZonotope {
 impl Lawful for VPolytope {
     const AGREEMENT: f64 = 1e-12;
 
+    /// With the origin inside: cuts of flat hulls by rounded half-spaces enclose, but are not equal to rounding.
     fn draw(random: &mut Random, n: usize) -> (Self, Vec<Dyadic>) {
         let m = random.between(1, 6);
         let mut points = eighths(random, n, m);
-        points.push_col(&vec![0.0; n]).unwrap();
-        let x = exact(points.col(random.below(m + 1)));
+        for k in 0..2 * n {
+            let axis: Vec<f64> = (0..n).map(|i| if i == k / 2 { 0.125 - 0.25 * (k % 2) as f64 } else { 0.0 }).collect();
+            points.push_col(&axis).unwrap();
+        }
+        let x = exact(points.col(random.below(points.cols())));
         (Self::new(points).unwrap(), x)
     }
 
@@ -151,8 +155,11 @@ impl Lawful for HPolytope {
     const AGREEMENT: f64 = 1e-11;
 
     fn draw(random: &mut Random, n: usize) -> (Self, Vec<Dyadic>) {
-        let (set, x) = VPolytope::draw(random, n);
-        (set.to_h_polytope().unwrap(), x)
+        let m = random.between(1, 6);
+        let mut points = eighths(random, n, m);
+        points.push_col(&vec![0.0; n]).unwrap();
+        let x = exact(points.col(random.below(m + 1)));
+        (VPolytope::new(points).unwrap().to_h_polytope().unwrap(), x)
     }
 
     fn met(&self, other: &Self) -> Option<Self> {
@@ -190,7 +197,11 @@ impl<T: Lawful> Draw<T> {
         for (k, d) in self.directions.columns().enumerate() {
             let magnitude: f64 = d.iter().zip(hull.iter()).map(|(d, side)| d.abs() * (1.0 + side.mag())).sum();
             let close = (a[k] - b[k]).abs() <= T::AGREEMENT * magnitude;
-            assert!(close, "{}: supports {} and {} in {d:?}", self.context, a[k], b[k]);
+            assert!(
+                close,
+                "{}: supports {} and {} in {d:?} of {left:?} and {right:?}, from {:?}",
+                self.context, a[k], b[k], self.sets
+            );
             let reached = exact(d).iter().zip(x).fold(Dyadic::zero(), |sum, (d, x)| &sum + &(d * x));
             let above = Dyadic::from(a[k]) >= reached && Dyadic::from(b[k]) >= reached;
             assert!(above, "{}: a member is at {} beyond {} or {}", self.context, reached.approx(), a[k], b[k]);
