@@ -106,10 +106,10 @@ pub(super) fn simplified(polygon: &[[f64; 2]], resolution: [f64; 2]) -> Vec<[f64
     while kept.len() > 2 && flat(kept[kept.len() - 1], kept[0], kept[1]) {
         kept.remove(0);
     }
-    if let [p, q] = kept[..] {
-        if (0..2).all(|k| (p[k] - q[k]).abs() <= resolution[k]) {
-            kept.pop();
-        }
+    if let [p, q] = kept[..]
+        && (0..2).all(|k| (p[k] - q[k]).abs() <= resolution[k])
+    {
+        kept.pop();
     }
     kept
 }
