@@ -8,14 +8,19 @@
 
 mod affine;
 mod contract;
+mod decomposition;
 mod derivative;
+mod derivatives;
 mod error;
 mod expanded;
 mod expansion;
 mod function;
 mod image;
 mod jet;
+mod parallelotope;
 mod quadratic;
+mod range;
+mod signs;
 mod smoothness;
 mod solution;
 mod tape;
@@ -27,10 +32,14 @@ pub use derivative::{Decorated, Dual, Second};
 pub use error::{BoundError, Operand};
 pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
-pub use image::{GeneratorSet, affine_image, polytopic_image};
+pub use image::{
+    ConvexSplit, GeneratorSet, affine_image, dc_image, dc_image_of_zonotope, decomposition_image,
+    decomposition_image_of_zonotope, polytopic_image,
+};
 pub use jet::Jet;
 pub use quadratic::{Copies, QuadraticEnclosure};
+pub use range::{RangeMethod, range};
 pub use smoothness::Smoothness;
-pub use solution::{Rows, polytopic_solution, polytopic_solution_lift};
+pub use solution::{Rows, decomposition_solution, polytopic_solution, polytopic_solution_lift};
 pub use tape::Tape;
 pub use workspace::Workspace;

@@ -37,6 +37,8 @@ pub struct Workspace {
     pub(crate) jet: Jet,
     /// The buffers of the contractors.
     pub(crate) contract: crate::contract::Scratch,
+    /// The buffers of ranges.
+    pub(crate) range: crate::range::Scratch,
 }
 
 impl Workspace {

@@ -6,5 +6,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod dc;
+mod decomposition;
+mod generated;
 mod paper;
 mod planar;
