@@ -103,7 +103,13 @@ pub fn rigorous() -> Result<Vec<Shape>, ScenarioError> {
         for &method in Method::of_images(form) {
             let set = method.image(&Planar, &sets, form, &mut workspace)?;
             let row = "gamma = middle of the hull";
-            shapes.push(Shape { row, method: method_name(method, form), mode: Some(Mode::Rigorous), reference: None, set });
+            shapes.push(Shape {
+                row,
+                method: method_name(method, form),
+                mode: Some(Mode::Rigorous),
+                reference: None,
+                set,
+            });
         }
     }
     Ok(shapes)

@@ -1,8 +1,8 @@
 //! The methods that are compared, by name and set form.
 
 use nonlin_bounds::{
-    AffineEnclosure, BoundError, ConvexSplit, Copies, Domain, DynFunction, Form as Affine, QuadraticEnclosure,
-    RangeMethod, Workspace, affine_image, dc_image, dc_image_of_zonotope, decomposition_image,
+    AffineEnclosure, BoundError, ConvexSplit, Copies, Domain, DynFunction, Expansion, Form as Affine,
+    QuadraticEnclosure, RangeMethod, Workspace, affine_image, dc_image, dc_image_of_zonotope, decomposition_image,
     decomposition_image_of_zonotope, decomposition_solution, polytopic_image, polytopic_solution,
     polytopic_solution_lift, range,
 };
@@ -106,11 +106,16 @@ impl Method {
             }
             (_, Form::Vertices) => Enclosure::Vertices(polytopic_image(f, &sets.vertices, &at, &[], workspace)?),
             (Self::Affine(affine), Form::Zonotope) => {
-                Enclosure::Zonotope(affine_image(affine, f, &sets.zonotope, &at, &[], workspace)?)
+                Enclosure::Zonotope(affine_image(affine, f, &sets.zonotope, Expansion::HullCenter, &[], workspace)?)
             }
-            (Self::Affine(affine), Form::Constrained) => {
-                Enclosure::Constrained(affine_image(affine, f, &sets.constrained, &at, &[], workspace)?)
-            }
+            (Self::Affine(affine), Form::Constrained) => Enclosure::Constrained(affine_image(
+                affine,
+                f,
+                &sets.constrained,
+                Expansion::HullCenter,
+                &[],
+                workspace,
+            )?),
             (Self::Quadratic, Form::Zonotope) => {
                 let quadratic = QuadraticEnclosure::new(f, &sets.zonotope, &domain, Copies::Shared, workspace)?;
                 Enclosure::Zonotope(quadratic.image(&sets.zonotope, workspace)?)
@@ -119,12 +124,9 @@ impl Method {
                 let quadratic = QuadraticEnclosure::new(f, &sets.constrained, &domain, Copies::Shared, workspace)?;
                 Enclosure::Constrained(quadratic.image(&sets.constrained, workspace)?)
             }
-            (Self::Dc, Form::Zonotope) => Enclosure::Zonotope(dc_image_of_zonotope(
-                &ConvexSplit::Automatic(f),
-                &sets.zonotope,
-                &[],
-                workspace,
-            )?),
+            (Self::Dc, Form::Zonotope) => {
+                Enclosure::Zonotope(dc_image_of_zonotope(&ConvexSplit::Automatic(f), &sets.zonotope, &[], workspace)?)
+            }
             (Self::Dc, Form::Constrained) => {
                 Enclosure::Constrained(dc_image(&ConvexSplit::Automatic(f), &sets.constrained, &[], workspace)?)
             }

@@ -99,8 +99,7 @@ impl Sets {
         };
         let first = members.cols();
         let n = members.rows();
-        let middle: Vec<f64> =
-            (0..n).map(|k| members.columns().map(|x| x[k]).sum::<f64>() / first as f64).collect();
+        let middle: Vec<f64> = (0..n).map(|k| members.columns().map(|x| x[k]).sum::<f64>() / first as f64).collect();
         while members.cols() < count {
             let mut weights = [rng.random::<f64>(), rng.random::<f64>(), rng.random::<f64>()];
             weights[2] *= f64::from(u8::from(rng.random::<bool>()));

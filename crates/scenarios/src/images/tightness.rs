@@ -115,7 +115,10 @@ pub fn label(family: Family, size: f64) -> String {
 
 fn summary(task: Task, label: &str, method: Method, form: Form, outcomes: &[&Outcome]) -> Vec<Row> {
     let row = |metric: &str, samples: Vec<f64>| {
-        Row::new(task.table(), label, method_name(method, form)).mode(Mode::Rigorous).metric(metric, "").mean_of(&samples)
+        Row::new(task.table(), label, method_name(method, form))
+            .mode(Mode::Rigorous)
+            .metric(metric, "")
+            .mean_of(&samples)
     };
     let each = |pick: fn(&Outcome) -> f64| outcomes.iter().map(|o| pick(o)).collect::<Vec<f64>>();
     let mut rows = vec![row("width ratio", each(|o| o.width_ratio))];
@@ -123,7 +126,10 @@ fn summary(task: Task, label: &str, method: Method, form: Form, outcomes: &[&Out
     if !areas.is_empty() {
         rows.push(row("area ratio", areas));
     }
-    rows.push(row(if form == Form::Vertices { "vertices added" } else { "generators added" }, each(|o| o.generators_added)));
+    rows.push(row(
+        if form == Form::Vertices { "vertices added" } else { "generators added" },
+        each(|o| o.generators_added),
+    ));
     rows.push(row("constraints added", each(|o| o.constraints_added)));
     let shares: Vec<(f64, f64)> = outcomes.iter().filter_map(|o| o.containment.shares()).collect();
     rows.push(row("containment", shares.iter().map(|share| share.0).collect()));
@@ -161,8 +167,8 @@ fn study(task: Task, family: Family, size: f64, rng: &mut impl Rng) -> Result<Ve
             Task::Solutions => {
                 let values = target(f, &members)?;
                 let solutions = solutions(f, &members, &values, rng)?;
-                let boxes = solutions.columns().rev().take(WATCHED).map(|x| IntervalVector::point(x).to_vec());
-                let boxes = boxes.collect();
+                let last = solutions.cols().saturating_sub(WATCHED)..solutions.cols();
+                let boxes = last.map(|j| IntervalVector::point(solutions.col(j)).to_vec()).collect();
                 (solutions, boxes, values)
             }
         };
@@ -266,7 +272,10 @@ impl Yardstick {
     fn new(points: &Matrix, rng: &mut impl Rng) -> Result<Self, ScenarioError> {
         let n = points.rows();
         let extent = |d: &dyn Fn(&[f64]) -> f64| {
-            let (low, high) = points.columns().map(d).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+            let (low, high) = points
+                .columns()
+                .map(d)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
             high - low
         };
         let sides: Vec<f64> = (0..n).map(|k| extent(&|x: &[f64]| x[k])).collect();
