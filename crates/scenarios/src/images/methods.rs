@@ -104,7 +104,9 @@ impl Method {
                 range(f, &hull, &[], RangeMethod::Tight, workspace, &mut sides)?;
                 Enclosure::Box(IntervalVector::new(sides))
             }
-            (_, Form::Vertices) => Enclosure::Vertices(polytopic_image(f, &sets.vertices, &at, &[], workspace)?),
+            (_, Form::Vertices) => {
+                Enclosure::Vertices(polytopic_image(f, &sets.vertices, Expansion::HullCenter, &[], workspace)?)
+            }
             (Self::Affine(affine), Form::Zonotope) => {
                 Enclosure::Zonotope(affine_image(affine, f, &sets.zonotope, Expansion::HullCenter, &[], workspace)?)
             }
@@ -172,11 +174,18 @@ impl Method {
             }
             Self::Polytopic => {
                 let y = HPolytope::from_intervals(y)?;
-                Enclosure::Vertices(polytopic_solution(g, &sets.vertices, &y, &at, &[], workspace)?)
+                Enclosure::Vertices(polytopic_solution(g, &sets.vertices, &y, Expansion::HullCenter, &[], workspace)?)
             }
             Self::Lift => {
                 let y = HPolytope::from_intervals(y)?;
-                Enclosure::Constrained(polytopic_solution_lift(g, &sets.vertices, &y, &at, &[], workspace)?)
+                Enclosure::Constrained(polytopic_solution_lift(
+                    g,
+                    &sets.vertices,
+                    &y,
+                    Expansion::HullCenter,
+                    &[],
+                    workspace,
+                )?)
             }
         })
     }
