@@ -19,7 +19,7 @@ const CLOSEST: [f64; 2] = [5.5, 0.5];
 /// The middle of the triangle's hull: C1, and for the mean value extension also C2.
 const HULL_CENTER: [f64; 2] = [5.75, 0.5];
 /// Barycentric coordinates of the samples are multiples of its reciprocal: all samples are floats.
-const MESH: usize = 64;
+const MESH: usize = 32;
 
 /// The set of the figure, the triangle with the corners `(6.5, 1)`, `(5.5, 0.5)`, `(5, 0)`, with its centre outside.
 #[must_use]
