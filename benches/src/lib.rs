@@ -1,12 +1,13 @@
 //! Timed comparisons with peers and floors. Not part of the tests: a figure here is a ratio measured in one run.
 //!
-//! `cargo xtask bench` prints the table; `cargo bench -p benches` runs criterion on our side of the same work.
+//! `cargo xtask bench` prints the table; `cargo xtask bench growth` draws how a hull's cost grows; `cargo bench -p benches` runs criterion on our side of the same work.
 
 pub mod constrained;
 pub mod cz_sets;
 pub mod draw;
 pub mod filters;
 pub mod groups;
+pub mod growth;
 pub mod hulls;
 pub mod intervals;
 pub mod lp_peers;
