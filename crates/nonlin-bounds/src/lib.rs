@@ -8,6 +8,7 @@
 //!
 //! [`range`] bounds the outputs over a box by any [`RangeMethod`]; [`Expansion`] names the points that functions are expanded about.
 //! [`decomposition_image`], [`decomposition_solution`] and [`dc_image`] enclose images and solution sets without fixing one expansion.
+//!
 //! An [`AffineEnclosure`] holds a function between parallel affine functions on a box, by the mean value theorem, slopes or Taylor's
 //! theorem; images of zonotopes and constrained zonotopes, and rows that solutions fulfil, are then linear. [`affine_image`] and
 //! [`affine_solution`] do it in one call. A [`QuadraticEnclosure`] keeps the quadratic term as a set of its own.

@@ -11,12 +11,12 @@ mod polynomials;
 #[path = "../../../setrep/tests/common/mod.rs"]
 mod sets;
 
-mod dc;
-mod decomposition;
-mod generated;
 mod allocations;
 mod bad_input;
+mod dc;
+mod decomposition;
 mod exact;
+mod generated;
 mod members;
 mod models;
 mod noises;
