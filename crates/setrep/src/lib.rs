@@ -12,7 +12,9 @@
 //!
 //! Reading order: [`Matrix`], [`IntervalVector`], [`IntervalMatrix`], [`Zonotope`], then one operation a file in `ops`,
 //! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope` (LP re-encoding in
-//! `reencode`, sets in sets in `inclusion`), [`ZonotopeBundle`] in `bundle`.
+//! `reencode`, sets in sets in `inclusion`), [`ZonotopeBundle`] in `bundle`; [`Strip`] and [`HalfSpace`]; [`HPolytope`] and [`VPolytope`]
+//! in `polytope`. What all have in common is [`SupportFunction`]; from it alone come polytopes of bounded size around a set
+//! ([`HPolytope::enclosing`]) and, in `plot`, [`Outline`] and [`Mesh`].
 //!
 //! ```
 //! use setrep::{Matrix, Reduction, Workspace, Zonotope};
@@ -40,6 +42,7 @@ mod interval_vector;
 mod matrix;
 mod matrix_nalgebra;
 mod ops;
+mod plot;
 mod polytope;
 mod reduce;
 mod strip;
@@ -59,6 +62,7 @@ pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
 pub use ops::membership::{FACET_LIMIT, Membership};
 pub use ops::volume::MINOR_LIMIT;
+pub use plot::{Mesh, Outline};
 pub use polytope::{ChebyshevBall, Feasibility, HPolytope, MAX_FACES, PolytopeOptimizer, VPolytope};
 pub use reduce::Reduction;
 pub use strip::{HalfSpace, Strip};
