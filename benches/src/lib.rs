@@ -3,6 +3,7 @@
 //! `cargo xtask bench` prints the table; `cargo xtask bench growth` draws how a hull's cost grows; `cargo bench -p benches` runs criterion on our side of the same work.
 
 pub mod constrained;
+pub mod contract;
 pub mod cz_sets;
 pub mod derivatives;
 pub mod draw;
@@ -30,6 +31,7 @@ pub fn all() -> Vec<Bench> {
     benches.extend(derivatives::benches());
     benches.extend(hulls::benches());
     benches.extend(constrained::benches());
+    benches.extend(contract::benches());
     benches.extend(filters::benches());
     benches
 }
