@@ -3,8 +3,8 @@
 //! `cargo run --release -p nonlin-bounds --example enclosures`
 
 use nonlin_bounds::{
-    BoundError, Copies, Domain, Expansion, Form, Function, QuadraticEnclosure, Workspace, affine_image, polytopic_image,
-    polytopic_solution,
+    BoundError, Copies, Domain, Expansion, Form, Function, QuadraticEnclosure, Workspace, affine_image,
+    polytopic_image, polytopic_solution,
 };
 use scalars::{Interval, Scalar};
 use setrep::{ConstrainedZonotope, HPolytope, Matrix, VPolytope};

@@ -47,12 +47,15 @@ fn the_tightness_tables_do_not_depend_on_threads() {
     assert!(one.to_json().unwrap() == two.to_json().unwrap());
     let contained = one.rows.iter().filter(|row| row.metric_name() == "containment");
     let lost: Vec<_> = contained.filter(|row| row.get_value() != Some(1.0)).collect();
-    assert!(lost.iter().all(|row| row.table_name() == "Lemma 2" && row.get_mode() == Some(Mode::Published)), "{lost:?}");
+    assert!(
+        lost.iter().all(|row| row.table_name() == "Lemma 2" && row.get_mode() == Some(Mode::Published)),
+        "{lost:?}"
+    );
     assert_eq!(lost.len(), 1);
     let ratios = one.rows.iter().filter(|row| row.metric_name() == "width ratio");
     assert!(ratios.clone().count() > 100);
     for row in ratios {
         let ratio = row.get_value().unwrap();
-        assert!((0.999..50.0).contains(&ratio), "{row:?}");
+        assert!((0.999..1e3).contains(&ratio), "{row:?}");
     }
 }
