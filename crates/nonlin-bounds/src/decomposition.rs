@@ -9,11 +9,11 @@ use scalars::Interval;
 use scalars::rounding::add_up;
 use setrep::{ConstrainedZonotope, IntervalVector, Matrix, SetError};
 
-use crate::derivatives::Derivatives;
+use crate::directional::Directional;
 use crate::signs::{Purpose, Signs};
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
 
-/// Rows over the generators of a set: `f_i(x)` lies in `rows_i xi + residuals_i` for every point `x = c + G xi + e` of `set`.
+/// Rows over the generators of a set: `f_i(x)` lies in `rows_i xi + residuals_i` for every point `x = c + G xi + e` of `set` in its hull.
 pub(crate) struct Decomposition {
     /// The set with a remainder of model size turned into generators, and rescaled.
     pub(crate) set: ConstrainedZonotope,
@@ -51,10 +51,10 @@ impl Decomposition {
         set.rescale(&mut workspace.sets)?;
 
         let middle: Vec<f64> = hull.iter().map(Interval::mid).collect();
-        let over_hull = Derivatives::over(f, &hull, &middle, p)?;
+        let over_hull = Directional::over(f, &hull, &middle, p)?;
         BoundError::check_smooth(&over_hull.over, Smoothness::C1)?;
         // Outside of the hull, where the generators of a constrained set reach, the function may not be smooth: then they give no rows.
-        let over_body = Derivatives::over(f, &set.unconstrained().interval_hull(), set.center(), p).ok();
+        let over_body = Directional::over(f, &set.unconstrained().interval_hull(), set.center(), p).ok();
         let m = f.outputs();
         let mut rows = Matrix::zeros(m, set.num_generators());
         let mut residuals = Vec::with_capacity(m);

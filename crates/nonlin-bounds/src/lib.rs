@@ -5,12 +5,22 @@
 //!
 //! A [`Tape`] is a function recorded as data: it can be run backwards and printed. [`ForwardBackward`] and [`IntervalNewton`] shrink boxes
 //! around the solutions of `f(x, p) in Y`.
+//!
+//! [`range`] bounds the outputs over a box by any [`RangeMethod`]; [`Expansion`] names the points that functions are expanded about.
+//! [`decomposition_image`], [`decomposition_solution`] and [`dc_image`] enclose images and solution sets without fixing one expansion.
+//!
+//! An [`AffineEnclosure`] holds a function between parallel affine functions on a box, by the mean value theorem, slopes or Taylor's
+//! theorem; images of zonotopes and constrained zonotopes, and rows that solutions fulfil, are then linear. [`affine_image`] and
+//! [`affine_solution`] do it in one call. A [`QuadraticEnclosure`] keeps the quadratic term as a set of its own.
+//!
+//! [`polytopic_image`] and [`polytopic_solution`] go from vertex to vertex of a polytope, [`polytopic_solution_lift`] over the weights of its
+//! vertices. Which enclosure to take for which function is in the repository's `docs/IMAGES.md`, with measured tightness and cost.
 
 mod affine;
 mod contract;
 mod decomposition;
 mod derivative;
-mod derivatives;
+mod directional;
 mod error;
 mod expanded;
 mod expansion;
@@ -40,6 +50,6 @@ pub use jet::Jet;
 pub use quadratic::{Copies, QuadraticEnclosure};
 pub use range::{RangeMethod, range};
 pub use smoothness::Smoothness;
-pub use solution::{Rows, decomposition_solution, polytopic_solution, polytopic_solution_lift};
+pub use solution::{Rows, affine_solution, decomposition_solution, polytopic_solution, polytopic_solution_lift};
 pub use tape::Tape;
 pub use workspace::Workspace;

@@ -8,6 +8,8 @@ use crate::{BoundError, DynFunction, RangeMethod, Workspace, range};
 
 /// Image `{ f(x, p) : x in X }` of a constrained zonotope by remainder-form decomposition (D-CZ).
 ///
+/// It needs first derivatives only, profits from second ones, and evaluates `f` at points: at most 64 of them an output.
+///
 /// Each output lies in `h_i xi + [g_i]` with a row `h_i` of shifts over the generators that makes `f_i - h_i xi` monotone, and the values of that
 /// difference at two opposite corners; of all choices of signs and two frames the row with the narrowest residual is taken. The image is
 /// `<mid g, H, rad g; A, [b]>` with the generators and constraints of `X`, cut by the tight range of `f` over the hull of `X` where that is narrower.
@@ -18,7 +20,7 @@ use crate::{BoundError, DynFunction, RangeMethod, Workspace, range};
 ///
 /// **Guarantee:** superset of the image, rounding included.
 /// **Source:** Khajenejad, Shoaib, Yong, *Guaranteed State Estimation via Indirect Polytopic Set Computation for Nonlinear Discrete-Time Systems* (2021),
-/// paper 004's reference 16; the cuts are ours.
+/// reference 16 of paper 004; the second frame, the shifts and the cuts are ours.
 ///
 /// # Errors
 /// [`BoundError::Dimension`]; [`BoundError::NotSmooth`] unless every output is proven `C1` on the hull; [`BoundError::UnboundedResult`];

@@ -1,4 +1,4 @@
-//! [`Derivatives`]: ranges of derivatives by coordinates of a set.
+//! [`Directional`]: ranges of derivatives along axes and generators.
 
 use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
@@ -9,15 +9,15 @@ use crate::{BoundError, DynFunction, Jet, Order, Smoothness};
 
 /// Derivatives of a function over a box, with second ones where it offers them, and first ones at a point of the box.
 ///
-/// Where an output is `C2`, its gradient lies in `J(point) + H (x - point)` as well as in `J`. Of directions `v` the former keeps what the rows of the
-/// Hessian have in common: with `H v` formed first, a direction in which `f` does not curve has a derivative without width.
-pub(crate) struct Derivatives {
+/// The derivative along `v` lies in `J v`, and where the output is `C2` also in `J(point) v + (x - point)'H v`. With `H v` formed first, the latter has no
+/// width along directions in which `f` does not curve, whatever the single entries of the gradient do.
+pub(crate) struct Directional {
     pub(crate) over: Jet,
     at: Jet,
     has_second: bool,
 }
 
-impl Derivatives {
+impl Directional {
     /// Evaluates `f` over the box `x` and at `point`.
     pub(crate) fn over(f: &dyn DynFunction, x: &[Interval], point: &[f64], p: &[Interval]) -> Result<Self, BoundError> {
         let (mut over, mut at) = (Jet::new(), Jet::new());
