@@ -39,6 +39,8 @@ pub struct Workspace {
     pub(crate) range: crate::range::Scratch,
     /// The buffers of the contractors.
     pub(crate) contract: crate::contract::Scratch,
+    /// The buffers of reverse-mode derivatives.
+    pub(crate) adjoint: crate::tape::AdjointBuffers,
 }
 
 impl Workspace {
