@@ -8,10 +8,13 @@
 //! [`ConstrainedZonotope`] adds constraints with ranges, `A xi in [b]`: intersections with strips, half-spaces and other sets are exact
 //! but for rounding, and support, hull, emptiness and membership come with proofs from linear programs that need not be trusted.
 //!
+//! Its [`reencode`](ConstrainedZonotope::reencode) bounds its complexity; [`ZonotopeBundle`] keeps an intersection of zonotopes as it is.
+//!
 //! Reading order: [`Matrix`], [`IntervalVector`], [`IntervalMatrix`], [`Zonotope`], then one operation a file in `ops`,
-//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope`; [`Strip`] and [`HalfSpace`];
-//! [`HPolytope`] and [`VPolytope`] in `polytope`. What all have in common is [`SupportFunction`]; from it alone come polytopes of bounded
-//! size around a set ([`HPolytope::enclosing`]) and, in `plot`, [`Outline`] and [`Mesh`].
+//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope` (LP re-encoding in
+//! `reencode`, sets in sets in `inclusion`), [`ZonotopeBundle`] in `bundle`; [`Strip`] and [`HalfSpace`]; [`HPolytope`] and [`VPolytope`]
+//! in `polytope`. What all have in common is [`SupportFunction`]; from it alone come polytopes of bounded size around a set
+//! ([`HPolytope::enclosing`]) and, in `plot`, [`Outline`] and [`Mesh`].
 //!
 //! ```
 //! use setrep::{Matrix, Reduction, Workspace, Zonotope};
@@ -31,6 +34,7 @@
 //! ```
 
 mod bounds;
+mod bundle;
 mod constrained_zonotope;
 mod error;
 mod interval_matrix;
@@ -47,8 +51,10 @@ mod wedge;
 mod workspace;
 mod zonotope;
 
+pub use bundle::{BundleComplexity, ZonotopeBundle};
 pub use constrained_zonotope::{
-    Complexity, ConstrainedZonotope, Contradiction, Directions, Emptiness, Optimizer, Reencoding, TemplateWidths,
+    Complexity, ConstrainedZonotope, Containment, Contradiction, Directions, Emptiness, Optimizer, Reencoding,
+    TemplateWidths,
 };
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
