@@ -3,6 +3,7 @@
 //! `cargo xtask bench` prints the table; `cargo xtask bench growth` draws how a hull's cost grows; `cargo bench -p benches` runs criterion on our side of the same work.
 
 pub mod constrained;
+pub mod contract;
 pub mod cz_sets;
 pub mod draw;
 pub mod filters;
@@ -14,6 +15,11 @@ pub mod lp_peers;
 pub mod sets;
 pub mod timing;
 
+/// The functions that are timed: those of the tests.
+#[path = "../../crates/nonlin-bounds/tests/common/functions.rs"]
+#[allow(dead_code, reason = "the benches use some of them")]
+mod functions;
+
 use timing::Bench;
 
 /// Every comparison, in the order of the crates.
@@ -23,6 +29,7 @@ pub fn all() -> Vec<Bench> {
     benches.extend(sets::benches());
     benches.extend(hulls::benches());
     benches.extend(constrained::benches());
+    benches.extend(contract::benches());
     benches.extend(filters::benches());
     benches
 }

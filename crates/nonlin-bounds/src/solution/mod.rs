@@ -5,9 +5,11 @@
 //! rows leave, cut the first set with the rows of the last pass, and come back until the hull stops shrinking.
 
 mod affine;
+mod decomposition;
 mod polytopic;
 mod polytopic_lift;
 
 pub use affine::{Rows, affine_solution};
+pub use decomposition::decomposition_solution;
 pub use polytopic::polytopic_solution;
 pub use polytopic_lift::polytopic_solution_lift;

@@ -13,7 +13,10 @@ mod sets;
 
 mod allocations;
 mod bad_input;
+mod dc;
+mod decomposition;
 mod exact;
+mod generated;
 mod members;
 mod models;
 mod noises;
