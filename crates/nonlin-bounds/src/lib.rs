@@ -33,6 +33,9 @@
 //! An [`AffineEnclosure`] holds a function between parallel affine functions on a box, by the mean value theorem, slopes or Taylor's
 //! theorem; images of zonotopes and constrained zonotopes, and rows that solutions fulfil, are then linear. [`affine_image`] and
 //! [`affine_solution`] do it in one call. A [`QuadraticEnclosure`] keeps the quadratic term as a set of its own.
+//!
+//! [`polytopic_image`] and [`polytopic_solution`] go from vertex to vertex of a polytope, [`polytopic_solution_lift`] over the weights of its
+//! vertices. Which enclosure to take for which function is in the repository's `docs/IMAGES.md`, with measured tightness and cost.
 
 mod affine;
 mod buffer;

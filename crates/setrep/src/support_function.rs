@@ -121,13 +121,10 @@ impl SupportFunction for IntervalVector {
     }
 }
 
-/// The end of a side that maximises `d x`; its midpoint for `d = 0`.
+/// An end of a side that maximises `d x`; a finite one for `d = 0`.
 fn corner(side: &Interval, d: f64) -> f64 {
-    match d.partial_cmp(&0.0) {
-        Some(core::cmp::Ordering::Greater) => side.hi(),
-        Some(core::cmp::Ordering::Less) => side.lo(),
-        _ => side.mid(),
-    }
+    let end = if d < 0.0 { side.lo() } else { side.hi() };
+    if d == 0.0 && !end.is_finite() { side.mid() } else { end }
 }
 
 impl SupportFunction for Zonotope {
@@ -160,15 +157,9 @@ impl SupportFunction for Zonotope {
     }
 }
 
-/// `1`, `-1`, or `0` for zero and NaN.
+/// `-1` below zero, `1` otherwise: of several support vectors one at an end.
 fn sign(x: f64) -> f64 {
-    if x > 0.0 {
-        1.0
-    } else if x < 0.0 {
-        -1.0
-    } else {
-        0.0
-    }
+    if x < 0.0 { -1.0 } else { 1.0 }
 }
 
 /// `point += factor column`.

@@ -61,8 +61,8 @@ impl Form {
 /// `H` and every parameter. Shapes `J: m x n`, `[e]: m` intervals, `gamma: n`, `H: n` intervals.
 ///
 /// Images of sets under `f` and solution sets of `f(x) in Y` are then operations on sets with a real matrix and a box:
-/// [`image`](Self::image), [`rows`](Self::rows), [`intersect`](Self::intersect). Reused from call to call, it allocates nothing in steady
-/// state.
+/// [`image`](Self::image), [`rows_into`](Self::rows_into), [`intersect`](Self::intersect). Reused from call to
+/// call, it allocates nothing in steady state.
 ///
 /// ```
 /// use nonlin_bounds::{AffineEnclosure, Domain, Form, Function, Workspace};

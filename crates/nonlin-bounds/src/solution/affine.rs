@@ -136,8 +136,8 @@ impl AffineEnclosure {
         result
     }
 
-    /// Intersection of a set with the solutions of `g(x, v) in Y`, `Y` a constrained zonotope: `{ x in X : C x in Y - [e] - D (V - gamma_v)
-    /// + C gamma_x }` as a generalised intersection, with the generators and constraints of `Y` appended to those of `X`.
+    /// Intersection of a set with the solutions of `g(x, v) in Y`, `Y` a constrained zonotope, as a generalised intersection:
+    /// `{ x in X : C x in Y - [e] - D (V - gamma_v) + C gamma_x }`, the generators and constraints of `Y` appended to those of `X`.
     ///
     /// **Guarantee:** superset of `{ x in X : g(x, v) in Y, (x, v) in H }`.
     ///

@@ -36,19 +36,30 @@ pub fn figure_1(
     Ok(Figure::new("figure-1", title, 2).with(left).with(right))
 }
 
-/// The parallelogram, what the invariant leaves of it, and the circle.
+/// The parallelogram, what the invariant leaves of it, and the circle; on the right what it leaves of the part in the box.
 #[must_use]
 pub fn figure_4(sets: &[Measured]) -> Figure {
-    let circle = (-30..=30).map(|k| (f64::from(k) / 60.0).sin_cos()).map(|(sin, cos)| (cos, sin));
-    let mut panel = Panel::new("sets of states with |x| = 1", "x1", "x2")
-        .equal_aspect()
-        .with(Series::line("|x| = 1", Look::REFERENCE, circle))
-        .with(Series::line("box", Look::REFERENCE.dashed(1), [(1.0, -0.45), (1.0, 0.45)]));
-    let shown = |set: &&Measured| set.shape.mode != Some(Mode::Rigorous) || set.shape.method == "taylor/cz";
-    for (k, set) in sets.iter().filter(shown).enumerate() {
-        panel = panel.with(Series::outline(label(set), Look::nth(k), pairs(&set.outline)));
-    }
-    Figure::new("figure-4", "A parallelogram refined by an invariant (paper 003: Figure 4)", 1).with(panel)
+    let circle = |from: i32, to: i32| {
+        let angles = (from..=to).map(|k| f64::from(k) / 100.0);
+        Series::line("|x| = 1", Look::REFERENCE, angles.map(|angle| (angle.cos(), angle.sin())))
+    };
+    let whole = Panel::new("(a) from the set", "x1", "x2").equal_aspect().with(circle(-50, 50)).with(Series::line(
+        "box",
+        Look::REFERENCE.dashed(1),
+        [(1.0, -0.45), (1.0, 0.45)],
+    ));
+    let part = Panel::new("(b) from its part in the box", "x1", "x2").equal_aspect().with(circle(-21, -8));
+    let [whole, part] = [(whole, "X0"), (part, "X0 and box")].map(|(panel, row)| {
+        let shown = |set: &&Measured| {
+            set.shape.row == row && (set.shape.mode != Some(Mode::Rigorous) || set.shape.method == "taylor/cz")
+        };
+        sets.iter().filter(shown).enumerate().fold(panel, |panel, (k, set)| {
+            let mode = if set.shape.mode == Some(Mode::Rigorous) { " (ours)" } else { "" };
+            let label = format!("{}{mode}", set.shape.method);
+            panel.with(Series::outline(label, Look::nth(k), pairs(&set.outline)))
+        })
+    });
+    Figure::new("figure-4", "A parallelogram refined by an invariant (paper 003: Figure 4)", 2).with(whole).with(part)
 }
 
 /// The sets of the paper's Figure 1 and a few beside them: all would hide each other.

@@ -1,7 +1,7 @@
 //! Experiment `images`: what encloses the image of a set under a function, or the solutions in it, how tightly and at what cost.
 //!
 //! Reading order: [`models`], [`enclosure`], [`outline`] and [`plane`] (what is enclosed and measured), [`figure_1`], [`figure_4`] and
-//! [`lemma_2`] (paper 003); [`families`], [`sets`], [`methods`] and [`tightness`] (all methods on random functions and sets); [`figures`],
+//! [`lemma_2`] (paper 003); [`families`], [`sets`], [`methods`], [`yardstick`] and [`tightness`] (all methods on random functions and sets); [`figures`],
 //! [`report`].
 
 pub mod enclosure;
@@ -17,6 +17,7 @@ pub mod plane;
 pub mod report;
 pub mod sets;
 pub mod tightness;
+pub mod yardstick;
 
 use setrep::Workspace;
 

@@ -5,27 +5,27 @@ use std::time::Instant;
 use nonlin_bounds::{DynFunction, Jet, Order, Workspace};
 use rand::{Rng, RngExt};
 use scalars::Interval;
-use setrep::{IntervalVector, Matrix, SupportFunction, VPolytope};
+use setrep::{IntervalVector, Matrix};
 
 use super::enclosure::{Containment, Enclosure};
 use super::families::Family;
 use super::methods::{Method, method_name};
-use super::outline::{area, outline};
-use super::sets::{Form, Sets, unit};
+use super::sets::{Form, Sets};
+use super::yardstick::Yardstick;
 use crate::{Context, Mode, Row, ScenarioError, monte_carlo};
 
 /// Sizes of the sets, in the scale of their family.
 pub const SIZES: [f64; 2] = [0.1, 0.5];
 /// Members of a set whose images are looked at.
 const MEMBERS: usize = 400;
-/// Directions in which widths are taken, besides the axes.
-const DIRECTIONS: usize = 12;
 /// Members whose membership in the enclosure is asked.
 const WATCHED: usize = 24;
 /// Half-width of the box of values of a solution set, as a share of the half-width of the values in the set.
 const SLACK: f64 = 0.2;
-/// Time given to a timing, in seconds.
+/// Least time given to a timing, in seconds.
 const TIMED_S: f64 = 4e-3;
+/// Least number of calls timed.
+const CALLS: usize = 7;
 
 /// What is enclosed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -260,59 +260,6 @@ fn solutions(
     Ok(found)
 }
 
-/// Widths of a sampled set in some directions, and its area.
-struct Yardstick {
-    directions: Matrix,
-    width: f64,
-    area: Option<f64>,
-}
-
-impl Yardstick {
-    /// Measures the hull of points; the directions are scaled to its sides.
-    fn new(points: &Matrix, rng: &mut impl Rng) -> Result<Self, ScenarioError> {
-        let n = points.rows();
-        let extent = |d: &dyn Fn(&[f64]) -> f64| {
-            let (low, high) = points
-                .columns()
-                .map(d)
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
-            high - low
-        };
-        let sides: Vec<f64> = (0..n).map(|k| extent(&|x: &[f64]| x[k])).collect();
-        let mut directions = Matrix::zeros(n, 0);
-        for j in 0..n + DIRECTIONS {
-            let entry = |k: usize, rng: &mut _| if j < n { f64::from(u8::from(j == k)) } else { unit(rng) };
-            let direction: Vec<f64> = (0..n).map(|k| entry(k, rng) / sides[k].max(1e-12)).collect();
-            directions.push_col(&direction)?;
-            directions.push_col(&direction.iter().map(|d| -d).collect::<Vec<f64>>())?;
-        }
-        let reach = |d: &[f64]| extent(&|x: &[f64]| x.iter().zip(d).map(|(x, d)| x * d).sum::<f64>());
-        let width = directions.columns().step_by(2).map(reach).sum();
-        let area = if n == 2 {
-            let outline = VPolytope::new(points.clone())?.outline_2d()?;
-            Some(area(&outline.columns().map(|x| [x[0], x[1]]).collect::<Vec<_>>()))
-        } else {
-            None
-        };
-        Ok(Self { directions, width, area })
-    }
-
-    /// Ratios of the widths and of the areas.
-    fn compare(
-        &self,
-        set: &dyn SupportFunction,
-        workspace: &mut setrep::Workspace,
-    ) -> Result<(f64, Option<f64>), ScenarioError> {
-        let supports = set.support_vectors(&self.directions, &mut Matrix::zeros(set.dim(), 0), workspace)?;
-        let width: f64 = supports.iter().sum();
-        let area_ratio = match self.area {
-            Some(sampled) => Some(area(&outline(set, workspace)?) / sampled),
-            None => None,
-        };
-        Ok((width / self.width, area_ratio))
-    }
-}
-
 /// Times of one call, on one thread.
 ///
 /// # Errors
@@ -330,15 +277,18 @@ pub fn timings(context: &Context<'_>) -> Result<Vec<Row>, ScenarioError> {
                 let members = case.sets.members(form, MEMBERS, rng, &mut workspace.sets)?;
                 let values = target(f, &members)?;
                 for &method in task.methods(form) {
-                    let (start, mut calls) = (Instant::now(), 0_u32);
-                    while calls < 3 || start.elapsed().as_secs_f64() < TIMED_S {
+                    let (start, mut times) = (Instant::now(), Vec::new());
+                    while times.len() < CALLS || start.elapsed().as_secs_f64() < TIMED_S {
+                        let call = Instant::now();
                         match task {
                             Task::Images => method.image(f, &case.sets, form, workspace)?,
                             Task::Solutions => method.solution(f, &case.sets, form, &values, workspace)?,
                         };
-                        calls += 1;
+                        times.push(call.elapsed().as_nanos() as f64);
                     }
-                    let ns = start.elapsed().as_nanos() as f64 / f64::from(calls);
+                    times.sort_unstable_by(f64::total_cmp);
+                    // The median: other work on the machine slows some calls down.
+                    let ns = times[times.len() / 2];
                     let row = Row::new(task.table(), label(family, size), method_name(method, form));
                     rows.push(row.metric("ns_per_call", "ns").value(ns));
                 }
