@@ -53,7 +53,7 @@ fn euclidean() -> Bench {
     let mut filter = Zsmf::new(Vehicle, &ball(3, 1.0), &ball(3, 0.1), &ball(2, 1.0))
         .and_then(|filter| filter.with_reduction(Reduction::Combastel, 30))
         .expect("the sets have the sizes of the model");
-    let mut product = FaerProduct::new(33);
+    let mut product = FaerProduct::new(3, 33);
     let (input, mut measured) = (Vector2::new(0.4, 8.0), positions());
     let ours = move || {
         if let Some(y) = measured.next() {
@@ -74,7 +74,7 @@ fn invariant<Side: ErrorSide + 'static>(name: &'static str) -> Bench {
     )
     .and_then(|filter| filter.with_reduction(Reduction::Combastel, 30))
     .expect("the sets have the sizes of the group");
-    let mut product = FaerProduct::new(33);
+    let mut product = FaerProduct::new(3, 33);
     let (increment, mut measured) = (Vector3::new(0.4 * DT_S, 8.0 * DT_S, 0.0), positions());
     let ours = move || {
         if let Some(y) = measured.next() {

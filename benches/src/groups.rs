@@ -8,19 +8,16 @@ use scalars::Interval;
 use sophus_autodiff::linalg::VecF64;
 use sophus_lie::Isometry2F64;
 
+use crate::draw::Draw;
 use crate::timing::Bench;
 
 /// Elements per batch: small enough to stay in the first-level cache.
 const BATCH: usize = 256;
 
-/// Tangent vectors with rotation angles in (-3, 3) and translations in (-5, 5), from a fixed linear congruence.
+/// Tangent vectors with rotation angles in (-3, 3) and translations in (-5, 5).
 fn tangents() -> Vec<[f64; 3]> {
-    let mut state = 20_261_122_u64;
-    let mut draw = |scale: f64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0) * scale
-    };
-    (0..BATCH).map(|_| [draw(3.0), draw(5.0), draw(5.0)]).collect()
+    let mut draw = Draw::new(20_261_122);
+    (0..BATCH).map(|_| [3.0, 5.0, 5.0].map(|scale| draw.symmetric(scale))).collect()
 }
 
 /// Work that applies an operation to all inputs and keeps every result. Inputs are read in place: copying them through the stack

@@ -4,6 +4,7 @@ use std::hint::black_box;
 
 use scalars::{Interval, Scalar};
 
+use crate::draw::Draw;
 use crate::timing::Bench;
 
 /// Operand pairs per batch.
@@ -14,11 +15,8 @@ type Pairs<S> = Vec<(S, S)>;
 
 /// Pairs of numbers in (0.5, 2), and boxes of relative width 1e-3 around them; a quarter of the boxes get mixed signs.
 fn operands() -> (Pairs<f64>, Pairs<Interval>) {
-    let mut state = 7_u64;
-    let mut draw = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        0.5 + 1.5 * (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut numbers = Draw::new(7);
+    let mut draw = || 0.5 + 1.5 * numbers.unit();
     let points: Vec<(f64, f64)> = (0..BATCH).map(|_| (draw(), draw())).collect();
     let boxed = |x: f64| Interval::point(x).inflate(1e-3 * x);
     let boxes = points.iter().enumerate().map(|(k, &(x, y))| {

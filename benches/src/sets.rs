@@ -8,29 +8,30 @@ use setrep::{Matrix, Reduction, Workspace, Zonotope};
 
 use crate::timing::Bench;
 
-/// faer's `3x3` times `3x33` product on slices, nothing allocated: the unit in which steps of planar filters are counted.
+/// faer's product of a square matrix and a wide one on slices, nothing allocated: the unit in which our operations are counted
+/// (`3x3` times `3x33` for steps of planar filters).
 pub struct FaerProduct {
-    map: [f64; 9],
+    rows: usize,
+    map: Vec<f64>,
     columns: Vec<f64>,
     product: Vec<f64>,
 }
 
 impl FaerProduct {
-    /// A product of the given number of columns.
-    pub fn new(columns: usize) -> Self {
-        let (sin, cos) = 0.3_f64.sin_cos();
-        let map = [1.0, 0.01, -0.02, 0.0, cos, sin, 0.0, -sin, cos];
-        Self { map, columns: generators(columns), product: vec![0.0; 3 * columns] }
+    /// The product `rows x rows` times `rows x columns`.
+    pub fn new(rows: usize, columns: usize) -> Self {
+        let [map, columns] = [rows, columns].map(|cols| entries(rows * cols));
+        Self { rows, map, product: vec![0.0; columns.len()], columns }
     }
 
     /// One product.
     pub fn run(&mut self) {
-        let cols = self.columns.len() / 3;
+        let (rows, cols) = (self.rows, self.columns.len() / self.rows);
         matmul(
-            MatMut::from_column_major_slice_mut(&mut self.product, 3, cols),
+            MatMut::from_column_major_slice_mut(&mut self.product, rows, cols),
             Accum::Replace,
-            MatRef::from_column_major_slice(black_box(&self.map), 3, 3),
-            MatRef::from_column_major_slice(black_box(&self.columns), 3, cols),
+            MatRef::from_column_major_slice(black_box(&self.map), rows, rows),
+            MatRef::from_column_major_slice(black_box(&self.columns), rows, cols),
             1.0,
             Par::Seq,
         );
@@ -38,14 +39,14 @@ impl FaerProduct {
     }
 }
 
-/// `3 x columns` generators of mixed lengths.
-pub fn generators(columns: usize) -> Vec<f64> {
-    (0..3 * columns).map(|k| (k as f64 * 0.7).sin() / (1.0 + 0.05 * k as f64)).collect()
+/// Entries of mixed sizes.
+fn entries(count: usize) -> Vec<f64> {
+    (0..count).map(|k| (k as f64 * 0.7).sin() / (1.0 + 0.05 * k as f64)).collect()
 }
 
 /// A set in 3-D.
 fn set(columns: usize) -> Zonotope {
-    let matrix = Matrix::from_column_slice(3, columns, &generators(columns)).expect("the sizes agree");
+    let matrix = Matrix::from_column_slice(3, columns, &entries(3 * columns)).expect("the sizes agree");
     Zonotope::new(&[0.5, -1.0, 2.0], &matrix).expect("all entries are finite")
 }
 
@@ -59,7 +60,7 @@ pub fn benches() -> Vec<Bench> {
         ("zonotope/method4-35-to-30", Reduction::Method4),
     ] {
         let source = set(35);
-        let (mut reduced, mut workspace, mut product) = (source.clone(), Workspace::new(), FaerProduct::new(33));
+        let (mut reduced, mut workspace, mut product) = (source.clone(), Workspace::new(), FaerProduct::new(3, 33));
         let ours = move || {
             reduced.clone_from(black_box(&source));
             reduced.reduce(method, 30, &mut workspace).expect("30 columns suffice in 3-D");
@@ -75,7 +76,7 @@ pub fn benches() -> Vec<Bench> {
 fn map() -> Bench {
     let (sin, cos) = 0.3_f64.sin_cos();
     let rotation = Matrix::from_rows(&[&[1.0, 0.0, 0.0], &[0.0, cos, -sin], &[0.0, sin, cos]]).expect("three rows");
-    let (source, mut workspace, mut product) = (set(33), Workspace::new(), FaerProduct::new(33));
+    let (source, mut workspace, mut product) = (set(33), Workspace::new(), FaerProduct::new(3, 33));
     let mut image = source.clone();
     let ours = move || {
         image.clone_from(black_box(&source));

@@ -29,18 +29,23 @@ pub struct Budget {
     pub window: Duration,
     /// Number of windows a side.
     pub windows: usize,
+    /// Time after which no more windows are begun: slow work gets fewer of them, but at least [`LEAST_WINDOWS`].
+    pub patience: Duration,
 }
+
+/// Windows that each side gets however slow it is.
+const LEAST_WINDOWS: usize = 5;
 
 impl Default for Budget {
     fn default() -> Self {
-        Self { window: Duration::from_millis(4), windows: 60 }
+        Self { window: Duration::from_millis(4), windows: 60, patience: Duration::from_secs(8) }
     }
 }
 
 /// A comparison: a name, the work of both sides, and how many operations one call of either does.
 pub struct Bench {
-    /// What is timed, as `family/case`.
-    pub name: &'static str,
+    /// What is timed, as `family/case`; rows against several peers share it.
+    pub name: String,
     peer: &'static str,
     batch: usize,
     ours: Box<dyn FnMut()>,
@@ -50,12 +55,12 @@ pub struct Bench {
 impl Bench {
     /// A comparison whose calls do one operation each.
     pub fn new(
-        name: &'static str,
+        name: impl Into<String>,
         peer: &'static str,
         ours: impl FnMut() + 'static,
         theirs: impl FnMut() + 'static,
     ) -> Self {
-        Self { name, peer, batch: 1, ours: Box::new(ours), theirs: Box::new(theirs) }
+        Self { name: name.into(), peer, batch: 1, ours: Box::new(ours), theirs: Box::new(theirs) }
     }
 
     /// The same with `batch` operations in each call.
@@ -70,12 +75,16 @@ impl Bench {
         let our_calls = calls_per_window(&mut self.ours, budget.window);
         let peer_calls = calls_per_window(&mut self.theirs, budget.window);
         let (mut our_best, mut peer_best) = (f64::INFINITY, f64::INFINITY);
-        for _ in 0..budget.windows {
+        let start = Instant::now();
+        for window in 0..budget.windows {
+            if window >= LEAST_WINDOWS && start.elapsed() > budget.patience {
+                break;
+            }
             our_best = our_best.min(window_ns(&mut self.ours, our_calls));
             peer_best = peer_best.min(window_ns(&mut self.theirs, peer_calls));
         }
         let (ours_ns, peer_ns) = (our_best / self.batch as f64, peer_best / self.batch as f64);
-        Row { name: self.name.to_owned(), ours_ns, peer: self.peer.to_owned(), peer_ns, ratio: peer_ns / ours_ns }
+        Row { name: self.name.clone(), ours_ns, peer: self.peer.to_owned(), peer_ns, ratio: peer_ns / ours_ns }
     }
 
     /// Time of `calls` calls of our side, for a harness of its own.

@@ -21,12 +21,12 @@ fn main() -> ExitCode {
     }
     let mut benches = benches::all();
     if let Some(unknown) = names.iter().find(|name| !benches.iter().any(|b| b.name.starts_with(name.as_str()))) {
-        let known: Vec<&str> = benches.iter().map(|b| b.name).collect();
+        let known: Vec<&str> = benches.iter().map(|b| b.name.as_str()).collect();
         eprintln!("no bench is called {unknown}; there are: {}", known.join(", "));
         return ExitCode::from(2);
     }
     benches.retain(|b| names.is_empty() || names.iter().any(|name| b.name.starts_with(name.as_str())));
-    println!("{:<28} {:>10}  {:<14} {:>10} {:>8}", "name", "ours ns", "peer", "peer ns", "ratio");
+    println!("{:<30} {:>12}  {:<14} {:>14} {:>8}", "name", "ours ns", "peer", "peer ns", "ratio");
     let mut rows = Vec::new();
     for bench in &mut benches {
         let row = bench.run(Budget::default());
@@ -45,5 +45,5 @@ fn main() -> ExitCode {
 }
 
 fn print_row(row: &Row) {
-    println!("{:<28} {:>10.2}  {:<14} {:>10.2} {:>8.3}", row.name, row.ours_ns, row.peer, row.peer_ns, row.ratio);
+    println!("{:<30} {:>12.2}  {:<14} {:>14.2} {:>8.3}", row.name, row.ours_ns, row.peer, row.peer_ns, row.ratio);
 }

@@ -50,6 +50,6 @@ pub enum Emptiness<'a> {
     Empty(&'a Certificate),
     /// Proven to have a point.
     NonEmpty(&'a Witness),
-    /// Neither could be proven, as for a set that is a single point by the rounding of its data: to be treated as non-empty.
+    /// Neither could be proven, as for a set that is empty by the rounding of its data: to be treated as non-empty.
     Undecided,
 }

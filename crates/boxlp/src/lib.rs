@@ -30,6 +30,7 @@
 //! ```
 
 mod error;
+mod exact;
 mod rounding;
 
 mod problem;
@@ -42,9 +43,12 @@ mod ratio_test;
 mod tableau;
 mod workspace;
 
+mod dependence;
+mod fixed_point;
+mod witness;
+
 mod answer;
 mod solver;
-mod witness;
 
 pub use answer::{Emptiness, Solution, Status};
 pub use bound::Multiplier;

@@ -48,11 +48,27 @@ pub(crate) fn norm1_up(a: &[f64]) -> f64 {
     if sum == 0.0 { 0.0 } else { (sum * (1.0 + gamma_up(a.len()))).next_up() }
 }
 
-/// Interval that contains the exact `sum a_j x_j`; a point if no operation rounds.
+/// Lower and upper bound of an exact number.
+pub(crate) type Bounds = (f64, f64);
+
+/// Bounds of the sum of a number and `factor` times another.
+pub(crate) fn add_scaled(sum: Bounds, factor: f64, term: Bounds) -> Bounds {
+    let (low, high) = if factor < 0.0 { (term.1, term.0) } else { term };
+    let (low, high) = (mul_down(factor, low), mul_up(factor, high));
+    // Adding an exact zero rounds nothing.
+    (if low == 0.0 { sum.0 } else { add_down(sum.0, low) }, if high == 0.0 { sum.1 } else { add_up(sum.1, high) })
+}
+
+/// Upper bound of the modulus; NaN if a bound is.
+pub(crate) fn magnitude(bounds: Bounds) -> f64 {
+    if bounds.0.is_nan() || bounds.1.is_nan() { f64::NAN } else { bounds.1.max(-bounds.0) }
+}
+
+/// Bounds of the exact `start + sum a_j x_j`; both the same if no operation rounds.
 ///
 /// Compensated summation: the error of every operation is itself a number, so only the sum of the errors is rounded.
-pub(crate) fn dot_enclosure(a: &[f64], x: &[f64]) -> (f64, f64) {
-    let (mut sum, mut correction, mut moduli) = (0.0, 0.0, 0.0_f64);
+pub(crate) fn dot_enclosure(start: f64, a: &[f64], x: &[f64]) -> Bounds {
+    let (mut sum, mut correction, mut moduli) = (start, 0.0, 0.0_f64);
     let mut tiny = false;
     for (&a, &x) in a.iter().zip(x) {
         let product = a * x;
@@ -96,19 +112,20 @@ mod tests {
 
     #[test]
     fn an_exact_sum_is_a_point() {
-        assert_eq!(dot_enclosure(&[3.0, -2.0, 0.5], &[1.0, 1.0, -1.0]), (0.5, 0.5));
-        assert_eq!(dot_enclosure(&[], &[]), (0.0, 0.0));
+        assert_eq!(dot_enclosure(0.0, &[3.0, -2.0, 0.5], &[1.0, 1.0, -1.0]), (0.5, 0.5));
+        assert_eq!(dot_enclosure(-0.5, &[3.0, -2.0], &[1.0, 1.0]), (0.5, 0.5));
+        assert_eq!(dot_enclosure(0.0, &[], &[]), (0.0, 0.0));
     }
 
     #[test]
     fn a_rounded_sum_is_enclosed_within_a_few_steps() {
         // 0.1 + 0.2 is not a number: the exact sum of the two lies strictly inside.
-        let (lower, upper) = dot_enclosure(&[0.1, 0.2], &[1.0, 1.0]);
+        let (lower, upper) = dot_enclosure(0.0, &[0.1, 0.2], &[1.0, 1.0]);
         assert!(lower < 0.3 && 0.3 < upper.next_up() && upper - lower < 1e-15);
-        let (lower, upper) = dot_enclosure(&[1.0, 1e-200], &[1.0, 1e-200]);
+        let (lower, upper) = dot_enclosure(0.0, &[1.0, 1e-200], &[1.0, 1e-200]);
         assert!(lower <= 1.0 && 1.0 < upper);
         // Cancellation: the exact value is 2^-60.
-        let (lower, upper) = dot_enclosure(&[1.0, f64::EPSILON / 256.0, -1.0], &[1.0, 1.0, 1.0]);
+        let (lower, upper) = dot_enclosure(0.0, &[1.0, f64::EPSILON / 256.0, -1.0], &[1.0, 1.0, 1.0]);
         let exact = f64::EPSILON / 256.0;
         assert!((-1e-17..=exact).contains(&lower) && (exact..1e-17).contains(&upper));
     }

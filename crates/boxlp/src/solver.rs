@@ -176,7 +176,8 @@ impl Solver {
     /// Decides whether the set is empty, with a proof either way.
     ///
     /// Method: the dual simplex for `c = 0` ends with a contradiction, of which a [`Certificate`](crate::Certificate) is made, or with a vertex.
-    /// Around it, or around a vertex of the set with all bounds moved inward a little, a [`Witness`] is proven.
+    /// There, or near a vertex of the set with all bounds moved inward a little, a [`Witness`] is proven: by exact arithmetic at
+    /// the point, or by a fixed-point argument around it. Rows that are exact combinations of others count with these.
     ///
     /// **Guarantee:** `Empty` and `NonEmpty` hold in real arithmetic.
     ///

@@ -2,6 +2,7 @@
 
 use crate::bound::{Multiplier, Residual};
 use crate::certificate::Certificate;
+use crate::fixed_point::FixedPoint;
 use crate::problem::Problem;
 use crate::ratio_test::RatioTest;
 use crate::tableau::Tableau;
@@ -17,8 +18,8 @@ pub(crate) struct Workspace {
     pub(crate) certificate: Certificate,
     /// The objective of a feasibility problem.
     pub(crate) zeros: Vec<f64>,
-    /// Scratch of a proof of non-emptiness, one entry a variable.
-    pub(crate) displacement: Vec<(f64, f64)>,
+    /// Scratch of a proof of non-emptiness.
+    pub(crate) fixed_point: FixedPoint,
     pub(crate) pivots: usize,
 }
 
@@ -34,7 +35,7 @@ impl Workspace {
         self.certificate.multipliers.reserve(n + 1);
         self.point.resize(n, 0.0);
         self.zeros.resize(n, 0.0);
-        self.displacement.resize(n, (0.0, 0.0));
+        self.fixed_point.resize(n);
     }
 
     /// Reads the multipliers off the reduced costs and the point off the vertex.

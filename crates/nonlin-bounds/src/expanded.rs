@@ -72,6 +72,11 @@ impl Expanded {
         })
     }
 
+    /// The midpoints of row `i` of `[J]`.
+    pub(crate) fn middle(&self, i: usize) -> Vec<f64> {
+        self.row(i).iter().map(Interval::mid).collect()
+    }
+
     /// `[J_i] e` for `|e| <= r`, as a half-width.
     pub(crate) fn spread(&self, i: usize, r: &[f64]) -> f64 {
         let terms = self.row(i).iter().zip(r).filter(|(_, r)| **r != 0.0);

@@ -2,7 +2,8 @@
 
 use scalars::{Interval, Scalar};
 
-use crate::{BoundError, Jet};
+use crate::derivative;
+use crate::{BoundError, Jet, Operand};
 
 /// A function `y = f(x, p)`, `R^n x R^q -> R^m`, written once for every number type.
 ///
@@ -52,7 +53,8 @@ pub trait DynFunction {
     /// [`BoundError::Dimension`].
     fn value(&self, x: &[f64], p: &[f64], y: &mut [f64]) -> Result<(), BoundError>;
     /// Encloses value and derivatives up to `order` over the box `x` for all parameters in `p`, and says how smooth each output is
-    /// proven to be there. Derivatives of an output that is not smooth enough for them are the whole line.
+    /// proven to be there. Derivatives of an output that is not smooth enough for them are the whole line, except by variables it does not
+    /// depend on.
     ///
     /// **Guarantee:** every entry of the jet contains the exact quantity at every point of the box at which it exists.
     ///
@@ -60,4 +62,47 @@ pub trait DynFunction {
     /// [`BoundError::Dimension`], [`BoundError::EmptyInterval`], [`BoundError::NonFinite`] for an unbounded interval,
     /// [`BoundError::OrderNotAvailable`].
     fn enclose(&self, order: Order, x: &[Interval], p: &[Interval], jet: &mut Jet) -> Result<(), BoundError>;
+}
+
+impl<F: Function> DynFunction for F {
+    fn variables(&self) -> usize {
+        Function::variables(self)
+    }
+
+    fn parameters(&self) -> usize {
+        Function::parameters(self)
+    }
+
+    fn outputs(&self) -> usize {
+        Function::outputs(self)
+    }
+
+    fn value(&self, x: &[f64], p: &[f64], y: &mut [f64]) -> Result<(), BoundError> {
+        check_length(Operand::Variables, Function::variables(self), x.len())?;
+        check_length(Operand::Parameters, Function::parameters(self), p.len())?;
+        check_length(Operand::Outputs, Function::outputs(self), y.len())?;
+        self.eval(x, p, y);
+        Ok(())
+    }
+
+    fn enclose(&self, order: Order, x: &[Interval], p: &[Interval], jet: &mut Jet) -> Result<(), BoundError> {
+        derivative::enclose(self, order, x, p, jet)
+    }
+}
+
+/// A slice of the right length.
+pub(crate) fn check_length(operand: Operand, expected: usize, found: usize) -> Result<(), BoundError> {
+    if found == expected { Ok(()) } else { Err(BoundError::Dimension { operand, expected, found }) }
+}
+
+/// A box that a function can be evaluated over: the right length, nonempty and bounded.
+pub(crate) fn check_box(operand: Operand, expected: usize, x: &[Interval]) -> Result<(), BoundError> {
+    check_length(operand, expected, x.len())?;
+    if let Some(index) = x.iter().position(Interval::is_empty) {
+        return Err(BoundError::EmptyInterval { operand, index });
+    }
+    match x.iter().position(|x| !x.is_bounded()) {
+        Some(index) => Err(BoundError::NonFinite { operand, index }),
+        None => Ok(()),
+    }
 }

@@ -2,19 +2,47 @@
 
 use scalars::Interval;
 
+use crate::derivative::Scratch;
 use crate::{Order, Smoothness};
 
 /// Enclosures of the value, the Jacobian and the Hessians of a function `R^n -> R^m`, reused from call to call.
 ///
 /// Row `i` of the Jacobian is the gradient of output `i`. A Hessian is packed by rows of its upper triangle:
 /// `(0,0), (0,1), .., (0,n-1), (1,1), ..`, `n (n + 1) / 2` entries an output, plain second derivatives (no factor 1/2).
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Default)]
 pub struct Jet {
     variables: usize,
     values: Vec<Interval>,
     jacobian: Vec<Interval>,
     hessians: Vec<Interval>,
     smoothness: Vec<Smoothness>,
+    /// Buffers of the evaluation, so that it allocates nothing in steady state.
+    pub(crate) scratch: Scratch,
+}
+
+impl Clone for Jet {
+    /// The results; buffers start anew.
+    fn clone(&self) -> Self {
+        Self {
+            variables: self.variables,
+            values: self.values.clone(),
+            jacobian: self.jacobian.clone(),
+            hessians: self.hessians.clone(),
+            smoothness: self.smoothness.clone(),
+            scratch: Scratch::default(),
+        }
+    }
+}
+
+impl PartialEq for Jet {
+    /// Equality of the results.
+    fn eq(&self, other: &Self) -> bool {
+        self.variables == other.variables
+            && self.values == other.values
+            && self.jacobian == other.jacobian
+            && self.hessians == other.hessians
+            && self.smoothness == other.smoothness
+    }
 }
 
 impl Jet {

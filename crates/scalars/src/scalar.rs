@@ -78,6 +78,10 @@ pub trait Scalar:
     fn tanh(self) -> Self;
     /// `|x|`.
     fn abs(self) -> Self;
+    /// The sign of `x`, the slope of `|x|`; over intervals `[-1, 1]` if zero is a member (Clarke's generalised derivative).
+    fn sign(self) -> Self {
+        self / self.abs()
+    }
     /// The smaller of two.
     fn min(self, other: Self) -> Self;
     /// The larger of two.
@@ -117,6 +121,18 @@ impl Scalar for Interval {
     #[inline]
     fn pi() -> Self {
         Self::PI
+    }
+    #[inline]
+    fn sign(self) -> Self {
+        if self.lo() > 0.0 {
+            Self::ONE
+        } else if self.hi() < 0.0 {
+            -Self::ONE
+        } else if self.is_empty() {
+            self
+        } else {
+            Self::raw(-1.0, 1.0)
+        }
     }
     forward! { Self:
         scale(k: f64) -> Self, add_f64(k: f64) -> Self, sqr() -> Self, recip() -> Self, sqrt() -> Self,
@@ -159,6 +175,10 @@ impl Scalar for f64 {
     #[inline]
     fn sqr(self) -> Self {
         self * self
+    }
+    #[inline]
+    fn sign(self) -> Self {
+        if self == 0.0 { 0.0 } else { self.signum() }
     }
     #[inline]
     fn stumpff(self, k: usize) -> Self {

@@ -71,6 +71,9 @@ pub enum ScenarioError {
     /// A filter failed.
     #[error("a filter failed")]
     Estimator(#[from] estimators::EstimatorError),
+    /// An enclosure of a function failed.
+    #[error("an enclosure of a function failed")]
+    Bound(#[from] nonlin_bounds::BoundError),
     /// A set operation failed.
     #[error("a set operation failed")]
     Set(#[from] setrep::SetError),

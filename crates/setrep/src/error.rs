@@ -173,7 +173,7 @@ pub enum SetError {
     /// The set is proven to be empty where a nonempty one is needed.
     #[error("the set is empty")]
     EmptySet,
-    /// The set is proven to be unbounded where a bounded one is needed.
+    /// The set is unbounded where a bounded one is needed, proven unless the operation says otherwise.
     #[error("the set is unbounded")]
     Unbounded,
     /// A conversion met more faces of a polytope than its limit.

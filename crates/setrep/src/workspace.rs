@@ -22,6 +22,8 @@ pub struct Workspace {
     pub(crate) eigen: Vec<f64>,
     /// Ranges of the rows being built.
     pub(crate) ranges: Vec<scalars::Interval>,
+    /// Ranges of the rows to be cut by.
+    pub(crate) offsets: Vec<scalars::Interval>,
     /// Linear programs over the generators' box.
     pub(crate) solver: Option<boxlp::Solver>,
     /// An objective of these.

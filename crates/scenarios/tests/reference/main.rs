@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod determinism;
+mod images;
 mod metrics;
 mod published;
 mod sound;

@@ -91,12 +91,17 @@ impl ConstrainedZonotope {
         SetError::check_size(Part::Map, self.dim(), map.cols())?;
         SetError::check_size(Part::Map, other.dim(), map.rows())?;
         SetError::check_finite(Part::Map, map.rows(), map.as_slice())?;
-        let ranges: Vec<Interval> =
-            other.center().iter().zip(other.remainder()).map(|(&d, &s)| Interval::point(d).inflate(s)).collect();
-        let mut extents = vec![0.0; other.dim()];
+        let (mut ranges, mut extents) =
+            (core::mem::take(&mut workspace.offsets), core::mem::take(&mut workspace.remainder));
+        ranges.clear();
+        ranges.extend(other.center().iter().zip(other.remainder()).map(|(&d, &s)| Interval::point(d).inflate(s)));
+        extents.clear();
+        extents.resize(other.dim(), 0.0);
         add_abs_row_sums(other.generators().as_slice(), &mut extents);
         let width = |i: usize| 2.0 * (extents[i] + other.remainder()[i]);
-        self.cut(map, &ranges, width, Some(other), workspace)
+        let result = self.cut(map, &ranges, width, Some(other), workspace);
+        (workspace.offsets, workspace.remainder) = (ranges, extents);
+        result
     }
 
     /// Appends the rows `[C G  -H]` in `[d] - C c +- |C| r`, and before them the generators and constraints of `other`, whose

@@ -1,5 +1,7 @@
 //! Minkowski sum `X + Y = { x + y : x in X, y in Y }`.
 
+use scalars::Interval;
+
 use super::ConstrainedZonotope;
 use crate::SetError;
 
@@ -35,5 +37,15 @@ impl ConstrainedZonotope {
         self.body.add_assign(&other.body)?;
         self.append_constraints(other);
         Ok(())
+    }
+
+    /// Minkowski sum with a box, in place: its midpoint moves the center, its radii join the remainder. Allocates nothing.
+    ///
+    /// **Guarantee:** superset of the exact sum; only rounding is added, to the box remainder.
+    ///
+    /// # Errors
+    /// As [`Zonotope::add_box`](crate::Zonotope::add_box); the set is then unchanged.
+    pub fn add_box(&mut self, sides: &[Interval]) -> Result<(), SetError> {
+        self.body.add_box(sides)
     }
 }

@@ -19,6 +19,7 @@ mod score;
 
 pub use emptiness::{Contradiction, Emptiness};
 pub use optimizer::Optimizer;
+pub(crate) use optimizer::{prepared, refused};
 pub use reduce::Complexity;
 pub(crate) use reencode::Scratch as ReencodingScratch;
 pub use reencode::{Directions, Reencoding, TemplateWidths};
@@ -110,20 +111,65 @@ impl ConstrainedZonotope {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn with_constraints(body: &Zonotope, constraints: &Matrix, ranges: &[Interval]) -> Result<Self, SetError> {
+        let mut set = Self::from(body.clone());
+        set.constrain(constraints, ranges)?;
+        Ok(set)
+    }
+
+    /// Overwrites the set by `<c, G, 0; A, [b]>`, as [`new`](Self::new) makes it; allocates nothing within capacity.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); the set is then unchanged.
+    pub fn assign(
+        &mut self,
+        center: &[f64],
+        generators: &Matrix,
+        constraints: &Matrix,
+        ranges: &[Interval],
+    ) -> Result<(), SetError> {
+        let n = center.len();
+        if n == 0 {
+            return Err(SetError::ZeroDimension { part: Part::Center });
+        }
+        SetError::check_size(Part::Generators, n, generators.rows())?;
+        SetError::check_finite(Part::Center, n, center)?;
+        SetError::check_finite(Part::Generators, n, generators.as_slice())?;
+        Self::check_constraints(generators.cols(), constraints, ranges)?;
+        self.body.center.clear();
+        self.body.center.extend_from_slice(center);
+        self.body.generators.clone_from(generators);
+        self.body.remainder.clear();
+        self.body.remainder.resize(n, 0.0);
+        self.constraints.reset(0, generators.cols());
+        self.ranges.clear();
+        self.constrain(constraints, ranges)
+    }
+
+    /// `Ok` if these are constraints of a set with so many generators.
+    fn check_constraints(columns: usize, constraints: &Matrix, ranges: &[Interval]) -> Result<(), SetError> {
         // A matrix without rows need not say how many columns it has not.
         if constraints.rows() > 0 {
-            SetError::check_size(Part::Constraints, body.num_generators(), constraints.cols())?;
+            SetError::check_size(Part::Constraints, columns, constraints.cols())?;
         }
         SetError::check_size(Part::Range, constraints.rows(), ranges.len())?;
         SetError::check_finite(Part::Constraints, constraints.rows(), constraints.as_slice())?;
-        let mut set = Self::from(body.clone());
-        set.constraints.push_zero_rows(constraints.rows());
-        set.constraints.as_mut_slice().copy_from_slice(constraints.as_slice());
         for (row, range) in ranges.iter().enumerate() {
             rows::check_not_empty(row, range)?;
-            set.ranges.push(rows::clip(*range, set.row_norm(row)?));
+            let sum = constraints.columns().map(|column| column[row].abs()).sum();
+            rows::finite_norm(row, sum, constraints.cols())?;
         }
-        Ok(set)
+        Ok(())
+    }
+
+    /// Gives a set without constraints these ones.
+    fn constrain(&mut self, constraints: &Matrix, ranges: &[Interval]) -> Result<(), SetError> {
+        Self::check_constraints(self.num_generators(), constraints, ranges)?;
+        self.constraints.push_zero_rows(constraints.rows());
+        self.constraints.as_mut_slice().copy_from_slice(constraints.as_slice());
+        for (row, range) in ranges.iter().enumerate() {
+            self.ranges.push(rows::clip(*range, self.row_norm(row)?));
+        }
+        Ok(())
     }
 
     /// The box `center +- radii`, kept in the remainder: no generators, no constraints.

@@ -173,7 +173,7 @@ impl Optimizer<'_> {
 }
 
 /// The workspace's solver, made on first use.
-pub(super) fn prepared(solver: &mut Option<Solver>) -> Result<&mut Solver, SetError> {
+pub(crate) fn prepared(solver: &mut Option<Solver>) -> Result<&mut Solver, SetError> {
     match solver {
         Some(solver) => Ok(solver),
         None => Ok(solver.insert(Solver::new(Problem::new(0).map_err(refused)?))),
@@ -181,7 +181,7 @@ pub(super) fn prepared(solver: &mut Option<Solver>) -> Result<&mut Solver, SetEr
 }
 
 /// What a refused problem means for the set it was made of, whose entries have been checked.
-pub(super) fn refused(error: LpError) -> SetError {
+pub(crate) fn refused(error: LpError) -> SetError {
     match error {
         LpError::TooLarge { size } => SetError::TooLarge { size },
         LpError::RowOverflow { row } | LpError::Range { row, .. } | LpError::Entry { row, .. } => {

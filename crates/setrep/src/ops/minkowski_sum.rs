@@ -1,5 +1,8 @@
 //! Minkowski sum `X + Y = { x + y : x in X, y in Y }`.
 
+use scalars::Interval;
+
+use crate::bounds::{add_lengths, two_sum};
 use crate::{Matrix, Part, SetError, Zonotope};
 
 impl Zonotope {
@@ -35,6 +38,43 @@ impl Zonotope {
         SetError::check_size(Part::Center, self.dim(), other.dim())?;
         self.shift(&other.center, &other.remainder)?;
         self.generators.append_columns(other.generators.as_slice());
+        Ok(())
+    }
+
+    /// Minkowski sum with a box, in place: its midpoint moves the center, its radii join the remainder. Allocates nothing.
+    ///
+    /// **Guarantee:** superset of the exact sum; only the rounding of midpoint, radii and sums is added, to the box remainder.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`], [`SetError::UnboundedInterval`] for an empty or unbounded side, [`SetError::Overflow`]; the set is then
+    /// unchanged.
+    ///
+    /// ```
+    /// # use scalars::Interval;
+    /// # use setrep::Zonotope;
+    /// let mut x = Zonotope::from_box(&[0.0, 1.0], &[0.5, 0.5])?;
+    /// x.add_box(&[Interval::new(0.0, 1.0).unwrap_or_default(), Interval::ZERO])?;
+    /// assert!(x.center() == [0.5, 1.0] && (1.0..1.0 + 1e-15).contains(&x.remainder()[0]) && x.remainder()[1] == 0.5);
+    /// # Ok::<(), setrep::SetError>(())
+    /// ```
+    pub fn add_box(&mut self, sides: &[Interval]) -> Result<(), SetError> {
+        SetError::check_size(Part::Interval, self.dim(), sides.len())?;
+        let moved = |set: &Self, i: usize| {
+            let (center, error) = two_sum(set.center[i], sides[i].mid());
+            (center, add_lengths(add_lengths(set.remainder[i], sides[i].rad()), error.abs()))
+        };
+        for (row, side) in sides.iter().enumerate() {
+            if !side.is_bounded() {
+                return Err(SetError::UnboundedInterval { part: Part::Interval, row, col: 0 });
+            }
+            let (center, remainder) = moved(self, row);
+            if !(center.is_finite() && remainder.is_finite()) {
+                return Err(SetError::Overflow { row });
+            }
+        }
+        for i in 0..sides.len() {
+            (self.center[i], self.remainder[i]) = moved(self, i);
+        }
         Ok(())
     }
 

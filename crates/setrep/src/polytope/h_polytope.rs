@@ -21,6 +21,7 @@ use crate::{Matrix, Membership, Part, SetError};
 /// # Ok::<(), setrep::SetError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "Parts"))]
 pub struct HPolytope {
     pub(super) normals: Matrix,
     pub(super) offsets: Vec<f64>,
@@ -155,5 +156,22 @@ pub(super) fn check_bounded(part: Part, sides: &[Interval]) -> Result<(), SetErr
     match sides.iter().position(|side| side.is_empty() || !side.is_bounded()) {
         None => Ok(()),
         Some(row) => Err(SetError::UnboundedInterval { part, row, col: 0 }),
+    }
+}
+
+/// What is stored of a polytope; reading it back checks the invariants.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Parts {
+    normals: Matrix,
+    offsets: Vec<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Parts> for HPolytope {
+    type Error = SetError;
+
+    fn try_from(parts: Parts) -> Result<Self, SetError> {
+        Self::new(parts.normals, &parts.offsets)
     }
 }

@@ -25,17 +25,22 @@
 //! hull with half-spaces, [`VPolytope::intersection`] avoids the second. The limits on the number of faces ([`MAX_FACES`], the
 //! `_within` methods) refuse what grows too large.
 
+mod bounding_box;
+mod chebyshev;
 mod clip;
 mod cone;
 mod error_free;
 mod exact;
 mod facets;
 mod feasibility;
+mod frame;
 mod h_polytope;
 mod incidence;
 mod membership;
+mod optimizer;
 mod planar;
 mod rays;
+mod redundancy;
 mod rows;
 mod solve;
 mod table;
@@ -44,8 +49,10 @@ mod vertices;
 mod volume;
 mod waiting;
 
+pub use chebyshev::ChebyshevBall;
 pub use feasibility::Feasibility;
 pub use h_polytope::HPolytope;
+pub use optimizer::PolytopeOptimizer;
 pub use v_polytope::VPolytope;
 
 /// Most vertices or facets that a conversion without an explicit limit keeps at any stage.

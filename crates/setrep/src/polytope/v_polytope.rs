@@ -22,6 +22,7 @@ use crate::{IntervalVector, Matrix, Part, SetError};
 /// # Ok::<(), setrep::SetError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "Parts"))]
 pub struct VPolytope {
     pub(super) vertices: Matrix,
     pub(super) remainder: Vec<f64>,
@@ -191,5 +192,22 @@ impl VPolytope {
             remainder.push(carried);
         }
         Self::with_remainder(vertices, &remainder)
+    }
+}
+
+/// What is stored of a polytope; reading it back checks the invariants.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Parts {
+    vertices: Matrix,
+    remainder: Vec<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Parts> for VPolytope {
+    type Error = SetError;
+
+    fn try_from(parts: Parts) -> Result<Self, SetError> {
+        Self::with_remainder(parts.vertices, &parts.remainder)
     }
 }

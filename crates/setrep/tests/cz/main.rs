@@ -20,6 +20,7 @@ mod peers;
 mod reduction;
 mod reencoding;
 mod simplification;
+mod strips;
 
 /// Seed of all batteries; printed with every failing case.
 const SEED: u64 = 20_261_123;

@@ -1,6 +1,6 @@
 //! Support functions of every type: the vector attains the value, values of one set in two types agree.
 
-use setrep::{ConstrainedZonotope, IntervalVector, Matrix, SupportFunction, VPolytope, Workspace, Zonotope};
+use setrep::{ConstrainedZonotope, HPolytope, IntervalVector, Matrix, SupportFunction, VPolytope, Workspace, Zonotope};
 
 use crate::common::random::{Random, cases};
 
@@ -22,6 +22,7 @@ pub(crate) fn boxes(random: &mut Random, n: usize) -> Vec<(&'static str, Box<dyn
         ("constrained zonotope", Box::new(constrained)),
         ("constrained zonotope of strips", Box::new(strips)),
         ("vertices", Box::new(VPolytope::from_intervals(&sides).unwrap())),
+        ("half-spaces", Box::new(HPolytope::from_intervals(&sides).unwrap())),
     ]
 }
 

@@ -15,3 +15,4 @@ mod degenerate;
 mod fixtures;
 mod known_polytopes;
 mod membership;
+mod programs;

@@ -1,0 +1,311 @@
+//! [`QuadraticEnclosure`]: an affine enclosure and the quadratic term of Taylor's theorem in the coordinates of a set.
+
+mod products;
+
+use scalars::Interval;
+use scalars::rounding::{add_up, mul_up};
+use setrep::{ConstrainedZonotope, Matrix};
+
+use crate::affine::evaluate;
+use crate::{AffineEnclosure, BoundError, Domain, DynFunction, GeneratorSet, Operand, Order, Smoothness, Workspace};
+
+/// Which coordinates the term `2 L G xi` of Lemma 2 depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Copies {
+    /// Those of the set: the term joins the linear part, and costs nothing.
+    Shared,
+    /// A second copy, as the paper has it: wider, and one generator and constraint more for each of the set.
+    Separate,
+}
+
+/// Taylor's theorem of first order on a set `Z = c + G xi`, `A xi in [b]`, in the hull `H`, with its quadratic term as a set of its own:
+/// `f(z)` lies in `J (z - gamma) + [e] + K` for every `z` in `Z` and `H`.
+///
+/// `z - gamma = p + G xi` with `p = c - gamma`, so the quadratic term `(z - gamma)' Q (z - gamma)`, `Q = f''(H) / 2` symmetric, is
+/// `p'Q p + 2 p'Q G xi + xi'(G'Q G) xi`. In the last one `xi_i^2 = (1 + zeta_i) / 2` and the products `xi_i xi_j` become new coordinates in
+/// `[-1, 1]`: `K = { sum_i q_ii zeta_i / 2 + sum_{i<j} 2 q_ij zeta_ij }` with the midpoints of `G'Q G`, whose radii widen `[e]`. Products of
+/// pairs of constraints hold in the new coordinates, `(A_r xi)(A_s xi) in [b_r][b_s]`.
+///
+/// At most `ng (ng + 1) / 2` generators and `nc (nc + 1) / 2` constraints are added. Against [`Form::Taylor`](crate::Form::Taylor), which
+/// adds none, this keeps the shape of a curved image and what the constraints cut off from it; for a set near a box the other
+/// is as tight.
+///
+/// **Source:** paper 003, Lemma 2, Propositions 2 and 4, Corollary 2; for zonotopes Combastel 2005. The paper prints `L = p'Q` with `Q`
+/// upper triangular, which is false unless `p = 0` or `Q` is diagonal; here `Q` is symmetric.
+#[derive(Debug, Clone, PartialEq)]
+pub struct QuadraticEnclosure {
+    affine: AffineEnclosure,
+    curvature: ConstrainedZonotope,
+}
+
+impl QuadraticEnclosure {
+    /// Encloses `f` on a set that lies in the box of `domain`, which should be its interval hull.
+    ///
+    /// **Guarantee:** `f(z, p)` lies in `J (z - gamma) + [e] + K` for every `z` in the set and the box; remainder and rounding included.
+    ///
+    /// # Errors
+    /// Sizes, an empty or unbounded box, [`BoundError::NotSmooth`] unless every output is proven `C2` on the box,
+    /// [`BoundError::UnboundedResult`], and what `f` reports.
+    pub fn new<S: GeneratorSet>(
+        f: &dyn DynFunction,
+        set: &S,
+        domain: &Domain<'_>,
+        copies: Copies,
+        workspace: &mut Workspace,
+    ) -> Result<Self, BoundError> {
+        let curvature = ConstrainedZonotope::from_box(&vec![0.0; f.outputs()], &vec![0.0; f.outputs()])?;
+        let mut enclosure = Self { affine: AffineEnclosure::new(), curvature };
+        enclosure.renew(f, set, domain, copies, workspace)?;
+        Ok(enclosure)
+    }
+
+    /// [`new`](Self::new) in place; allocates nothing within the capacity of enclosure and workspace.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); the enclosure is then unchanged.
+    pub fn renew<S: GeneratorSet>(
+        &mut self,
+        f: &dyn DynFunction,
+        set: &S,
+        domain: &Domain<'_>,
+        copies: Copies,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
+        domain.check(f)?;
+        BoundError::check_size(Operand::Variables, f.variables(), set.dim())?;
+        domain.evaluate(f, Order::Hessian, workspace)?;
+        for (output, &found) in workspace.over_box.smoothness().iter().enumerate() {
+            if found < Smoothness::C2 {
+                return Err(BoundError::NotSmooth { output, required: Smoothness::C2, found });
+            }
+        }
+        workspace.point.clear();
+        workspace.point.extend(domain.at.iter().map(|&x| Interval::point(x)));
+        evaluate(f, Order::Jacobian, &workspace.point, domain.parameters, &mut workspace.at_point)?;
+        let mut parts = core::mem::take(&mut workspace.quadratic);
+        let result = self.build(&mut parts, f.outputs(), set, domain, copies, workspace);
+        workspace.quadratic = parts;
+        result
+    }
+
+    /// The affine part: expansion point, box, `J` and `[e]`.
+    #[must_use]
+    pub fn affine(&self) -> &AffineEnclosure {
+        &self.affine
+    }
+
+    /// The set `K`, about the origin of the outputs.
+    #[must_use]
+    pub fn curvature(&self) -> &ConstrainedZonotope {
+        &self.curvature
+    }
+
+    /// Image of the set that the enclosure was made for: `J (X - gamma) + [e] + K`. A zonotope leaves the constraints of `K` out; it has
+    /// none if it was made for a zonotope.
+    ///
+    /// **Guarantee:** superset of `{ f(z) : z in Z and H }`, rounding included.
+    /// **Source:** paper 003, Proposition 2; for zonotopes Combastel 2005.
+    ///
+    /// # Errors
+    /// As [`AffineEnclosure::image`].
+    pub fn image<S: GeneratorSet>(&self, set: &S, workspace: &mut Workspace) -> Result<S, BoundError> {
+        let mut image = set.clone();
+        self.image_in_place(&mut image, workspace)?;
+        Ok(image)
+    }
+
+    /// [`image`](Self::image) in place; allocates nothing within the capacity of set and workspace.
+    ///
+    /// # Errors
+    /// As [`image`](Self::image); the set is then unchanged.
+    pub fn image_in_place<S: GeneratorSet>(&self, set: &mut S, workspace: &mut Workspace) -> Result<(), BoundError> {
+        BoundError::check_size(Operand::Variables, self.affine.variables(), set.dim())?;
+        self.affine.image_plus(set, Some(&self.curvature), workspace)
+    }
+
+    /// Intersection of the set that the enclosure was made for with the solutions of `f(z) in Y`, `Y` a bounded box:
+    /// `{ z in Z : J z in Y - [e] - K + J gamma }` as a generalised intersection.
+    ///
+    /// Noises are among the variables: stack their set with the states' and project afterwards.
+    ///
+    /// **Guarantee:** superset of `{ z in Z and H : f(z) in Y }`.
+    /// **Source:** paper 003, Proposition 4, Corollary 2, Remark 13.
+    ///
+    /// # Errors
+    /// [`BoundError::Dimension`], [`BoundError::UnboundedResult`], [`BoundError::Set`]; the set is then unchanged.
+    pub fn intersect(
+        &self,
+        set: &mut ConstrainedZonotope,
+        values: &[Interval],
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
+        let (n, m) = (self.affine.variables(), self.affine.outputs());
+        BoundError::check_size(Operand::Variables, n, set.dim())?;
+        self.affine.check_solution(n, values.len())?;
+        self.affine.shifts_into(|i| values[i], n, n, workspace)?;
+        self.affine.cut(set, workspace, |other, map, workspace| {
+            other.clone_from(&self.curvature);
+            map.reset(m, m);
+            (0..m).for_each(|i| map[(i, i)] = -1.0);
+            Ok(other.linear_map_in_place(map, &mut workspace.sets)?)
+        })
+    }
+
+    /// Overwrites the enclosure, given the derivatives in the workspace.
+    fn build<S: GeneratorSet>(
+        &mut self,
+        parts: &mut Parts,
+        m: usize,
+        set: &S,
+        domain: &Domain<'_>,
+        copies: Copies,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
+        let (body, constrained) = set.body();
+        let n = body.dim();
+        parts.split(body);
+        let at = if copies == Copies::Shared { body.center() } else { domain.at };
+        parts.boxes(domain, body.center());
+        let count = parts.columns.cols();
+        let pairs = count * (count + 1) / 2;
+        let copied = if copies == Copies::Shared { 0 } else { count };
+        parts.generators.reset(m, pairs + copied);
+        workspace.jacobian.reset(m, n);
+        workspace.offsets.clear();
+        let size = n * (n + 1) / 2;
+        for i in 0..m {
+            let hessian = &workspace.over_box.hessians()[i * size..(i + 1) * size];
+            let gradient = &workspace.at_point.jacobian()[i * n..(i + 1) * n];
+            parts.cross(hessian);
+            let mut offset = workspace.at_point.values()[i];
+            let mut error = parts.lost(hessian);
+            for k in 0..n {
+                // f'(gamma) (z - gamma) + L (p + 2 (z - c)), each factor by its midpoint and the rest over the box.
+                let (slope, cross) = (midpoint(gradient[k]), midpoint(parts.cross[k]));
+                offset += gradient[k].add_f64(-slope) * parts.steps[k];
+                offset += parts.cross[k].add_f64(-cross) * (parts.shift[k] + parts.about_center[k].scale(2.0));
+                offset += parts.shift[k].scale(cross);
+                workspace.jacobian[(i, k)] = match copies {
+                    Copies::Separate => slope,
+                    Copies::Shared => {
+                        let entry = slope + 2.0 * cross;
+                        let rounding = Interval::point(slope).add_f64(2.0 * cross).add_f64(-entry);
+                        offset += parts.shift[k].scale(slope) + rounding * parts.about_center[k];
+                        entry
+                    }
+                };
+            }
+            if copies == Copies::Separate {
+                error = add_up(error, parts.copy_cross(i, pairs));
+            }
+            let (center, radius) = parts.square(hessian, i);
+            offset = (offset + center).inflate(add_up(error, radius));
+            if !offset.is_bounded() {
+                return Err(BoundError::UnboundedResult { output: i });
+            }
+            workspace.offsets.push(offset);
+        }
+        parts.products(constrained, count, copied);
+        parts.drop_zero_columns(m);
+        parts.zeros.clear();
+        parts.zeros.resize(m, 0.0);
+        self.curvature.assign(&parts.zeros, &parts.kept, &parts.kept_rows, &parts.ranges)?;
+        self.affine.at.clear();
+        self.affine.at.extend_from_slice(at);
+        self.affine.hull.clear();
+        self.affine.hull.extend_from_slice(domain.hull);
+        core::mem::swap(&mut self.affine.jacobian, &mut workspace.jacobian);
+        core::mem::swap(&mut self.affine.offsets, &mut workspace.offsets);
+        Ok(())
+    }
+}
+
+/// What a quadratic enclosure is built from and in.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Parts {
+    /// Generators, with the components of the remainder of model size among them, and the rest of the remainder.
+    columns: Matrix,
+    rest: Vec<f64>,
+    /// `p = c - gamma`, `H - gamma`, `H - c`, `L = p'Q`, `f''(H) G`.
+    shift: Vec<Interval>,
+    steps: Vec<Interval>,
+    about_center: Vec<Interval>,
+    cross: Vec<Interval>,
+    curved: Vec<Interval>,
+    /// Generators, constraints and ranges of `K`, and the columns that are not zero.
+    generators: Matrix,
+    rows: Matrix,
+    ranges: Vec<Interval>,
+    kept: Matrix,
+    kept_rows: Matrix,
+    zeros: Vec<f64>,
+}
+
+impl Parts {
+    /// `H - gamma`, `H - c` and `c - gamma`.
+    fn boxes(&mut self, domain: &Domain<'_>, center: &[f64]) {
+        self.steps.clear();
+        self.about_center.clear();
+        self.shift.clear();
+        for ((side, &at), &c) in domain.hull.iter().zip(domain.at).zip(center) {
+            self.steps.push(side.add_f64(-at));
+            self.about_center.push(side.add_f64(-c));
+            self.shift.push(Interval::point(c).add_f64(-at));
+        }
+    }
+
+    /// `L = p'Q` of a packed Hessian.
+    fn cross(&mut self, hessian: &[Interval]) {
+        multiply(hessian, &self.shift, &mut self.cross);
+        self.cross.iter_mut().for_each(|entry| *entry = entry.scale(0.5));
+    }
+
+    /// Bound of what the rest `e` of the remainder does to the quadratic term: `z - gamma = y + e`, and
+    /// `e'Q (2 (z - gamma) - e) + 2 L e` is missing from the terms in `y`.
+    fn lost(&self, hessian: &[Interval]) -> f64 {
+        let mut sum = 0.0;
+        if self.rest.iter().all(|&r| r == 0.0) {
+            return sum;
+        }
+        let n = self.rest.len();
+        let mut entries = hessian.iter();
+        for j in 0..n {
+            sum = add_up(sum, mul_up(2.0 * self.cross[j].mag(), self.rest[j]));
+            for (k, entry) in (j..n).zip(&mut entries) {
+                let half = 0.5 * entry.mag();
+                let reach = |k: usize| add_up(2.0 * self.steps[k].mag(), self.rest[k]);
+                sum = add_up(sum, mul_up(half, mul_up(self.rest[j], reach(k))));
+                if j < k {
+                    sum = add_up(sum, mul_up(half, mul_up(self.rest[k], reach(j))));
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// A midpoint; 0 for what is unbounded.
+fn midpoint(x: Interval) -> f64 {
+    if x.is_bounded() { x.mid() } else { 0.0 }
+}
+
+/// `h x` of a packed symmetric matrix into `product`.
+fn multiply(packed: &[Interval], x: &[Interval], product: &mut Vec<Interval>) {
+    let n = x.len();
+    product.clear();
+    product.resize(n, Interval::ZERO);
+    let mut entries = packed.iter();
+    for j in 0..n {
+        for (k, entry) in (j..n).zip(&mut entries) {
+            if *entry == Interval::ZERO {
+                continue;
+            }
+            if x[k] != Interval::ZERO {
+                product[j] += *entry * x[k];
+            }
+            if j < k && x[j] != Interval::ZERO {
+                product[k] += *entry * x[j];
+            }
+        }
+    }
+}

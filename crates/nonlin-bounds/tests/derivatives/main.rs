@@ -1,0 +1,7 @@
+//! Derivatives over boxes: against other implementations, exact rationals, and on functions that are not smooth.
+#![allow(clippy::unwrap_used, reason = "test helpers")]
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod examples;
