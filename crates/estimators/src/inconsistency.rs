@@ -40,6 +40,11 @@ pub enum Evidence {
         /// Where the measurement or the invariant puts it.
         required: Interval,
     },
+    /// Interval propagation of measurement and invariant over this box of states left nothing: the contractor run again shows it.
+    Propagation {
+        /// The box.
+        hull: Vec<Interval>,
+    },
     /// Multipliers of the constraints of a set that prove it empty; [`Contradiction::verify`] checks them again.
     Rows {
         /// The set that is empty: the prediction with the rows of the update.
@@ -62,25 +67,27 @@ pub struct Inconsistency {
 }
 
 impl Inconsistency {
-    /// By how much the contradiction is missed: the distance of the two intervals, or how far the certificate's sum of rows, of 1-norm 1
-    /// each, lies beyond zero. Positive for a proof.
+    /// By how much the contradiction is missed: the distance of the two intervals, or how far every point is from the range of some row of
+    /// 1-norm 1. Positive for these proofs; 0 where propagation found it, which measures nothing.
     #[must_use]
     pub fn margin(&self) -> f64 {
         match &self.evidence {
             Evidence::Disjoint { predicted, required } => {
                 (required.lo() - predicted.hi()).max(predicted.lo() - required.hi())
             }
+            Evidence::Propagation { .. } => 0.0,
             Evidence::Rows { set, certificate } => certificate.miss(set),
         }
     }
 
-    /// Checks the proof again, from the data it carries.
+    /// Checks the proof again, from the data it carries; false for [`Evidence::Propagation`], which needs the system as well.
     ///
     /// **Guarantee:** true only for a proof.
     #[must_use]
     pub fn verify(&self) -> bool {
         match &self.evidence {
             Evidence::Disjoint { predicted, required } => predicted.disjoint(required),
+            Evidence::Propagation { .. } => false,
             Evidence::Rows { set, certificate } => certificate.verify(set),
         }
     }

@@ -12,6 +12,7 @@ use crate::{AffineEnclosure, BoundError, Operand, Workspace};
 pub struct Rows {
     directions: Matrix,
     ranges: Vec<Interval>,
+    outputs: Vec<usize>,
 }
 
 impl Rows {
@@ -31,6 +32,12 @@ impl Rows {
     #[must_use]
     pub fn ranges(&self) -> &[Interval] {
         &self.ranges
+    }
+
+    /// The output that each row comes from.
+    #[must_use]
+    pub fn outputs(&self) -> &[usize] {
+        &self.outputs
     }
 
     /// The strip of row `i`: its range, the direction written to `direction` (length `n`); `None` if there is no such row.
@@ -112,8 +119,10 @@ impl AffineEnclosure {
         };
         rows.ranges.clear();
         rows.ranges.extend((0..self.outputs()).filter_map(says));
+        rows.outputs.clear();
+        rows.outputs.extend((0..self.outputs()).filter(|&i| says(i).is_some()));
         rows.directions.reset(rows.ranges.len(), states);
-        for (row, i) in (0..self.outputs()).filter(|&i| says(i).is_some()).enumerate() {
+        for (row, &i) in rows.outputs.iter().enumerate() {
             for k in 0..states {
                 rows.directions[(row, k)] = self.jacobian[(i, k)];
             }
