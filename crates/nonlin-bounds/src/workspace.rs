@@ -35,6 +35,8 @@ pub struct Workspace {
     pub(crate) eliminated: Option<ConstrainedZonotope>,
     /// The derivatives of the function at hand.
     pub(crate) jet: Jet,
+    /// The buffers of the contractors.
+    pub(crate) contract: crate::contract::Scratch,
 }
 
 impl Workspace {
