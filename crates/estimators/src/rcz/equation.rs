@@ -49,9 +49,8 @@ impl Equation<'_> {
     ) -> Result<(), EstimatorError> {
         scratch.stack(hull, self.noise)?;
         let Scratch { bounds, enclosure, rows, sides, point, noise: storage, culprits, directions, .. } = scratch;
-        let domain = Domain::new(sides, point)
-            .with_parameters(self.parameters)
-            .with_noises(self.noise.map_or(0, Zonotope::dim));
+        let domain =
+            Domain::new(sides, point).with_parameters(self.parameters).with_noises(self.noise.map_or(0, Zonotope::dim));
         enclosure.enclose_where_possible(self.relation.function(), &domain, bounds)?;
         enclosure.rows_into(hull.len(), self.values, rows)?;
         directions.push_rows(rows.directions())?;
