@@ -51,6 +51,12 @@ pub fn benches() -> Vec<Bench> {
     benches
 }
 
+/// The hull of random sets of one size against Clarabel.
+pub fn random_hull(size: Size) -> Bench {
+    let sets: Vec<_> = (0..SETS / 2).map(|seed| random(size, seed)).collect();
+    clarabel_row(&format!("hull/{size}"), &sets)
+}
+
 /// A row whose calls run over all sets.
 fn over<P: 'static>(
     name: &str,
@@ -70,24 +76,28 @@ fn over<P: 'static>(
     .batched(sets.len())
 }
 
-/// The hull: against Clarabel set up beforehand, and against microlp with its problems built beforehand.
+/// The hull against both peers.
 fn hull_rows(name: &str, sets: &[ConstrainedZonotope]) -> [Bench; 2] {
-    let objectives = |set: &ConstrainedZonotope| hull_objectives(set);
-    let clarabel: Vec<_> = sets.iter().map(|set| (Clarabel::new(set), objectives(set))).collect();
-    let microlp: Vec<_> = sets.iter().map(|set| Microlp::new(set, &objectives(set))).collect();
+    let microlp: Vec<_> = sets.iter().map(|set| Microlp::new(set, &hull_objectives(set))).collect();
     let count = 2 * sets[0].dim();
     [
-        over(name, "clarabel", sets, Ours::hull, clarabel, |(solver, objectives)| {
-            for objective in objectives {
-                black_box(solver.maximize(objective));
-            }
-        }),
+        clarabel_row(name, sets),
         over(name, "microlp", sets, Ours::hull, microlp, move |solver| {
             for k in 0..count {
                 black_box(solver.maximum(k));
             }
         }),
     ]
+}
+
+/// The hull against Clarabel set up beforehand.
+fn clarabel_row(name: &str, sets: &[ConstrainedZonotope]) -> Bench {
+    let clarabel: Vec<_> = sets.iter().map(|set| (Clarabel::new(set), hull_objectives(set))).collect();
+    over(name, "clarabel", sets, Ours::hull, clarabel, |(solver, objectives)| {
+        for objective in objectives {
+            black_box(solver.maximize(objective));
+        }
+    })
 }
 
 /// The hull of a set never seen before, in fresh memory, against a Clarabel problem set up for it.

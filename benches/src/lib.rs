@@ -1,17 +1,24 @@
 //! Timed comparisons with peers and floors. Not part of the tests: a figure here is a ratio measured in one run.
 //!
-//! `cargo xtask bench` prints the table; `cargo bench -p benches` runs criterion on our side of the same work.
+//! `cargo xtask bench` prints the table; `cargo xtask bench growth` draws how a hull's cost grows; `cargo bench -p benches` runs criterion on our side of the same work.
 
 pub mod constrained;
+pub mod contract;
 pub mod cz_sets;
 pub mod draw;
 pub mod filters;
 pub mod groups;
+pub mod growth;
 pub mod hulls;
 pub mod intervals;
 pub mod lp_peers;
 pub mod sets;
 pub mod timing;
+
+/// The functions that are timed: those of the tests.
+#[path = "../../crates/nonlin-bounds/tests/common/functions.rs"]
+#[allow(dead_code, reason = "the benches use some of them")]
+mod functions;
 
 use timing::Bench;
 
@@ -22,6 +29,7 @@ pub fn all() -> Vec<Bench> {
     benches.extend(sets::benches());
     benches.extend(hulls::benches());
     benches.extend(constrained::benches());
+    benches.extend(contract::benches());
     benches.extend(filters::benches());
     benches
 }

@@ -1,7 +1,8 @@
 //! Interleaved timing of two pieces of work in one run.
 //!
 //! A shared machine is noisy, so two programs timed one after the other can not be compared. Here both sides run in short
-//! windows that alternate; of each side the least mean over a window counts, and only the ratio of the two is a claim.
+//! windows that alternate, on the clock of the thread's own processor time; of each side the least mean over a window counts,
+//! and only the ratio of the two is a claim.
 
 use std::time::{Duration, Instant};
 
@@ -89,32 +90,41 @@ impl Bench {
 
     /// Time of `calls` calls of our side, for a harness of its own.
     pub fn time_ours(&mut self, calls: u64) -> Duration {
-        let start = Instant::now();
-        for _ in 0..calls {
-            (self.ours)();
-        }
-        start.elapsed()
+        time(&mut self.ours, calls)
     }
 }
 
-fn calls_per_window(work: &mut dyn FnMut(), window: Duration) -> u32 {
-    let mut calls = 1_u32;
-    loop {
-        let start = Instant::now();
-        for _ in 0..calls {
-            work();
-        }
-        if start.elapsed() * 2 >= window || calls >= 1 << 24 {
-            return calls;
-        }
+fn calls_per_window(work: &mut dyn FnMut(), window: Duration) -> u64 {
+    let mut calls = 1;
+    while time(work, calls) * 2 < window && calls < 1 << 24 {
         calls *= 2;
     }
+    calls
 }
 
-fn window_ns(work: &mut dyn FnMut(), calls: u32) -> f64 {
-    let start = Instant::now();
+fn window_ns(work: &mut dyn FnMut(), calls: u64) -> f64 {
+    time(work, calls).as_nanos() as f64 / calls as f64
+}
+
+/// Processor time of `calls` calls.
+fn time(work: &mut dyn FnMut(), calls: u64) -> Duration {
+    let start = processor_time();
     for _ in 0..calls {
         work();
     }
-    start.elapsed().as_nanos() as f64 / f64::from(calls)
+    processor_time() - start
+}
+
+/// Time this thread has run for: what others run in between does not count.
+#[cfg(unix)]
+fn processor_time() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
+}
+
+/// Time since the first call, where there is no such clock.
+#[cfg(not(unix))]
+fn processor_time() -> Duration {
+    static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
+    START.elapsed()
 }

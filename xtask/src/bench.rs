@@ -1,4 +1,4 @@
-//! `bench`: the table of ratios, and criterion's statistics on demand.
+//! `bench`: the table of ratios; criterion's statistics and the growth of a hull's cost on demand.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,8 @@ use crate::process::{cargo, succeed};
 /// Arguments of `bench`.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Beginnings of the names of the rows to measure (all by default).
+    /// Beginnings of the names of the rows to measure (all by default); or `growth`, to draw how a hull's cost grows into
+    /// target/bench.
     names: Vec<String>,
     /// Also writes the rows as JSON.
     #[arg(long, value_name = "FILE")]
@@ -21,10 +22,14 @@ pub(crate) struct Arguments {
 
 /// Measures.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
+    let release = |binary| cargo(&["run", "--profile", "bench", "--package", "benches", "--bin", binary, "--"]);
+    if arguments.names == ["growth"] {
+        return succeed(release("growth").arg("target/bench"), "growth of a hull's cost");
+    }
     let mut command = if arguments.criterion {
         cargo(&["bench", "--package", "benches", "--bench", "hot_paths", "--"])
     } else {
-        cargo(&["run", "--profile", "bench", "--package", "benches", "--bin", "ratios", "--"])
+        release("ratios")
     };
     command.args(&arguments.names);
     if let Some(file) = &arguments.json {

@@ -11,7 +11,7 @@
 
 use crate::dependence::is_implied;
 use crate::problem::Problem;
-use crate::rounding::{Bounds, add_down, add_scaled, add_up, dot_enclosure, magnitude, mul_up};
+use crate::rounding::{Bounds, add_down, add_scaled, add_up, difference_up, dot_enclosure, magnitude, mul_up};
 use crate::tableau::Tableau;
 use crate::witness::holds;
 
@@ -73,11 +73,8 @@ impl FixedPoint {
             let mut defect = 0.0;
             for &(other, _) in &*unknowns {
                 let unit = if other == variable { 1.0 } else { 0.0 };
-                let difference = equations.iter().fold((unit, unit), |sum, e| {
-                    let a = problem.row(e.row)[other];
-                    add_scaled(sum, -entry(e), (a, a))
-                });
-                defect = add_up(defect, magnitude(difference));
+                let products = equations.iter().map(|e| (entry(e), problem.row(e.row)[other]));
+                defect = add_up(defect, difference_up(unit, products));
             }
             // NaN, from an overflow, proves nothing.
             if !(defect <= 0.5 && magnitude(shift) < f64::MAX) {

@@ -10,6 +10,9 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 /// Far above the sum of all underflow errors of `2^48` products (each at most `2^-1075`).
 pub(crate) const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
+/// Twice the largest error of a product that underflows.
+const SMALLEST: f64 = f64::from_bits(1);
+
 /// Products above this are normal numbers, and so are their rounding errors.
 const TINY_PRODUCT: f64 = 1e-280;
 
@@ -48,6 +51,19 @@ pub(crate) fn norm1_up(a: &[f64]) -> f64 {
     if sum == 0.0 { 0.0 } else { (sum * (1.0 + gamma_up(a.len()))).next_up() }
 }
 
+/// Upper bound of the modulus of the exact `start - sum c_k a_k`; NaN if anything overflows in both directions.
+pub(crate) fn difference_up(start: f64, products: impl ExactSizeIterator<Item = (f64, f64)>) -> f64 {
+    let count = products.len();
+    let (mut value, mut moduli) = (start, start.abs());
+    for (c, a) in products {
+        let product = c * a;
+        value -= product;
+        moduli += product.abs();
+    }
+    let error = gamma_up(count + 1) * moduli + UNDERFLOW;
+    add_up(value.abs(), error.next_up())
+}
+
 /// Lower and upper bound of an exact number.
 pub(crate) type Bounds = (f64, f64);
 
@@ -69,7 +85,7 @@ pub(crate) fn magnitude(bounds: Bounds) -> f64 {
 /// Compensated summation: the error of every operation is itself a number, so only the sum of the errors is rounded.
 pub(crate) fn dot_enclosure(start: f64, a: &[f64], x: &[f64]) -> Bounds {
     let (mut sum, mut correction, mut moduli) = (start, 0.0, 0.0_f64);
-    let mut tiny = false;
+    let mut tiny = 0.0;
     for (&a, &x) in a.iter().zip(x) {
         let product = a * x;
         let product_error = a.mul_add(x, -product);
@@ -79,12 +95,14 @@ pub(crate) fn dot_enclosure(start: f64, a: &[f64], x: &[f64]) -> Bounds {
         sum = next;
         correction += product_error + sum_error;
         moduli += product_error.abs() + sum_error.abs();
-        tiny |= product.abs() < TINY_PRODUCT && a != 0.0 && x != 0.0;
+        if product.abs() < TINY_PRODUCT && a != 0.0 && x != 0.0 {
+            tiny += SMALLEST;
+        }
     }
-    if moduli == 0.0 && !tiny {
+    if moduli == 0.0 && tiny == 0.0 {
         return (sum, sum);
     }
-    let error = (gamma_up(2 * a.len()) * moduli + if tiny { UNDERFLOW } else { 0.0 }).next_up();
+    let error = (gamma_up(2 * a.len()) * moduli + tiny).next_up();
     (add_down(add_down(sum, correction), -error), add_up(add_up(sum, correction), error))
 }
 
@@ -108,6 +126,15 @@ mod tests {
         assert!(mul_down(-f64::MIN_POSITIVE, f64::MIN_POSITIVE) < 0.0);
         assert!(add_up(1.0, 1e-30) > 1.0 && add_down(1.0, -1e-30) < 1.0);
         assert!(norm1_up(&[0.1, -0.2, 0.3]) > 0.6);
+    }
+
+    #[test]
+    fn a_difference_is_bounded_closely() {
+        // 1 - 10 * 0.1 is -2^-54 exactly.
+        let bound = difference_up(1.0, [(0.1, 10.0)].into_iter());
+        assert!((f64::EPSILON / 4.0..8.0 * f64::EPSILON).contains(&bound));
+        assert!(difference_up(0.0, [(1e-200, 1e-200)].into_iter()) > 0.0);
+        assert!(difference_up(1.0, [(f64::MAX, 2.0), (f64::MAX, -2.0)].into_iter()).is_nan());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use scalars::Interval;
 use setrep::SetError;
 
-use crate::Smoothness;
+use crate::{Jet, Smoothness};
 
 /// The argument that an error is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -108,6 +108,14 @@ impl BoundError {
             None => Ok(()),
             Some(index) if sides[index].is_empty() => Err(Self::EmptyInterval { operand, index }),
             Some(index) => Err(Self::NonFinite { operand, index }),
+        }
+    }
+
+    /// `Ok` if every output of a jet is proven to be as smooth as `required`.
+    pub(crate) fn check_smooth(jet: &Jet, required: Smoothness) -> Result<(), Self> {
+        match jet.smoothness().iter().position(|&found| found < required) {
+            None => Ok(()),
+            Some(output) => Err(Self::NotSmooth { output, required, found: jet.smoothness()[output] }),
         }
     }
 }

@@ -2,9 +2,10 @@
 
 use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
-use setrep::{Matrix, VPolytope};
+use setrep::{IntervalVector, Matrix, VPolytope, Zonotope};
 
-use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness};
+use crate::affine::evaluate;
+use crate::{BoundError, DynFunction, Expansion, Jet, Operand, Order, Smoothness};
 
 /// `f(x) = f(x_0) + J (x - x_0)` with some `J` in `[J]` for every `x` of a box that contains `x_0`; the entries of `J` depend on `x`.
 pub(crate) struct Expanded {
@@ -17,40 +18,31 @@ pub(crate) struct Expanded {
 }
 
 impl Expanded {
-    /// Expands `f` around `point` over the interval hull of a polytope.
+    /// Expands `f` over the interval hull of a polytope; its center, for [`Expansion::SetCenter`], is the mean of the vertices.
     pub(crate) fn over(
         f: &dyn DynFunction,
         set: &VPolytope,
-        point: &[f64],
+        at: Expansion<'_>,
         p: &[Interval],
         jet: &mut Jet,
     ) -> Result<Self, BoundError> {
         let n = f.variables();
-        let check = |operand, found| {
-            if found == n { Ok(()) } else { Err(BoundError::Dimension { operand, expected: n, found }) }
-        };
-        check(Operand::Variables, set.dim())?;
-        check(Operand::ExpansionPoint, point.len())?;
-        if let Some(index) = point.iter().position(|x| !x.is_finite()) {
-            return Err(BoundError::NonFinite { operand: Operand::ExpansionPoint, index });
-        }
-        let at: Vec<Interval> = point.iter().map(|&x| Interval::point(x)).collect();
-        // The segment from the point to any member lies in this box, wherever the point lies.
-        let hull: Vec<Interval> = set.interval_hull().iter().zip(&at).map(|(side, x)| side.hull(*x)).collect();
-        f.enclose(Order::Jacobian, &hull, p, jet)?;
-        let rough = jet.smoothness().iter().position(|&found| found < Smoothness::C1);
-        if let Some(output) = rough {
-            let found = jet.smoothness()[output];
-            return Err(BoundError::NotSmooth { output, required: Smoothness::C1, found });
-        }
+        BoundError::check_size(Operand::Variables, n, set.dim())?;
+        let share = 1.0 / set.num_vertices() as f64;
+        let mean: Vec<f64> = (0..n).map(|k| set.vertices().columns().map(|v| v[k] * share).sum()).collect();
+        let hull = set.interval_hull();
+        let mut point = vec![0.0; n];
+        at.of_zonotope(&Zonotope::point(&mean)?, &hull, &mut point)?;
+        evaluate(f, Order::Jacobian, &hull, p, jet)?;
+        BoundError::check_smooth(jet, Smoothness::C1)?;
         let jacobian = jet.jacobian().to_vec();
-        f.enclose(Order::Value, &at, p, jet)?;
+        evaluate(f, Order::Value, &IntervalVector::point(&point), p, jet)?;
         let value = jet.values().to_vec();
-        let bounded =
+        let unbounded =
             |i: &usize| !(value[*i].is_bounded() && jacobian[i * n..(i + 1) * n].iter().all(Interval::is_bounded));
-        match (0..value.len()).find(bounded) {
+        match (0..value.len()).find(unbounded) {
             Some(output) => Err(BoundError::UnboundedResult { output }),
-            None => Ok(Self { point: point.to_vec(), value, jacobian }),
+            None => Ok(Self { point, value, jacobian }),
         }
     }
 

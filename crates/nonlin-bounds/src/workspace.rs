@@ -35,8 +35,12 @@ pub struct Workspace {
     pub(crate) eliminated: Option<ConstrainedZonotope>,
     /// The derivatives of the function at hand.
     pub(crate) jet: Jet,
+    /// The buffers of ranges.
+    pub(crate) range: crate::range::Scratch,
     /// The buffers of the contractors.
     pub(crate) contract: crate::contract::Scratch,
+    /// The buffers of reverse-mode derivatives.
+    pub(crate) adjoint: crate::tape::AdjointBuffers,
 }
 
 impl Workspace {

@@ -106,6 +106,7 @@ pub struct Panel {
     title: String,
     x_label: String,
     y_label: String,
+    log_x: bool,
     log_y: bool,
     equal_aspect: bool,
     y_range: Option<(f64, f64)>,
@@ -117,13 +118,29 @@ impl Panel {
     #[must_use]
     pub fn new(title: impl Into<String>, x_label: impl Into<String>, y_label: impl Into<String>) -> Self {
         let (title, x_label, y_label) = (title.into(), x_label.into(), y_label.into());
-        Self { title, x_label, y_label, log_y: false, equal_aspect: false, y_range: None, series: Vec::new() }
+        Self {
+            title,
+            x_label,
+            y_label,
+            log_x: false,
+            log_y: false,
+            equal_aspect: false,
+            y_range: None,
+            series: Vec::new(),
+        }
     }
 
     /// Adds a series; later ones are drawn over earlier ones.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
         self.series.push(series);
+        self
+    }
+
+    /// Logarithmic x axis; values that are not positive are left out.
+    #[must_use]
+    pub fn log_x(mut self) -> Self {
+        self.log_x = true;
         self
     }
 
@@ -255,7 +272,9 @@ fn renumber(svg: &str, prefix: &str) -> String {
 /// The drawable pieces of a series: runs of finite points within the panel's range.
 fn plots_of(series: &Series, panel: &Panel) -> Vec<Plot> {
     let visible = |point: &[f64; 3]| {
-        point.iter().all(|v| v.is_finite()) && !(panel.log_y && (point[1] <= 0.0 || point[2] <= 0.0))
+        point.iter().all(|v| v.is_finite())
+            && !(panel.log_x && point[0] <= 0.0)
+            && !(panel.log_y && (point[1] <= 0.0 || point[2] <= 0.0))
     };
     let clamp = |y: f64| panel.y_range.map_or(y, |(low, high)| y.max(low).min(high));
     let look = series.look;
@@ -297,6 +316,9 @@ fn layout_of(panel: &Panel, plots: &[Plot]) -> Layout {
         .with_y_label(&*panel.y_label)
         .with_label_size(12)
         .with_tick_size(10);
+    if panel.log_x {
+        layout = layout.with_log_x().with_x_tick_format(TickFormat::Custom(Arc::new(log_tick)));
+    }
     if panel.log_y {
         layout = layout.with_log_y().with_y_tick_format(TickFormat::Custom(Arc::new(log_tick)));
     }
@@ -355,8 +377,11 @@ mod tests {
     /// Nothing to draw is drawn as empty axes, not as a panic.
     #[test]
     fn empty_and_degenerate_figures_are_drawn() {
-        let nan =
-            Panel::new("nan", "x", "y").log_y().with(Series::line("a", Look::nth(0), [(0.0, -1.0), (1.0, f64::NAN)]));
+        let nan = Panel::new("nan", "x", "y").log_x().log_y().with(Series::line(
+            "a",
+            Look::nth(0),
+            [(0.0, -1.0), (1.0, f64::NAN)],
+        ));
         let point = Panel::new("point", "x", "y").with(Series::line("a", Look::nth(0), [(1.0, 1.0)]));
         for figure in [Figure::new("none", "none", 0), Figure::new("nan", "nan", 3).with(nan).with(point)] {
             assert!(figure.to_svg().starts_with("<svg"));

@@ -40,6 +40,8 @@ pub enum Part {
     Constraints,
     /// The ranges `[b]` of constraints.
     Range,
+    /// The members of a bundle.
+    Members,
 }
 
 impl fmt::Display for Part {
@@ -62,6 +64,7 @@ impl fmt::Display for Part {
             Self::Offsets => "half-space offsets",
             Self::Constraints => "constraint matrix",
             Self::Range => "range",
+            Self::Members => "members of the bundle",
         })
     }
 }
@@ -168,6 +171,14 @@ pub enum SetError {
     #[error("a planar operation on a set of dimension {dim}")]
     NotPlanar {
         /// The dimension of the set.
+        dim: usize,
+    },
+    /// A coordinate that the space does not have.
+    #[error("no coordinate {index} in dimension {dim}")]
+    NoSuchCoordinate {
+        /// The index asked for.
+        index: usize,
+        /// The dimension of the space.
         dim: usize,
     },
     /// The set is proven to be empty where a nonempty one is needed.

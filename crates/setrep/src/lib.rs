@@ -8,8 +8,13 @@
 //! [`ConstrainedZonotope`] adds constraints with ranges, `A xi in [b]`: intersections with strips, half-spaces and other sets are exact
 //! but for rounding, and support, hull, emptiness and membership come with proofs from linear programs that need not be trusted.
 //!
+//! Its [`reencode`](ConstrainedZonotope::reencode) bounds its complexity; [`ZonotopeBundle`] keeps an intersection of zonotopes as it is.
+//!
 //! Reading order: [`Matrix`], [`IntervalVector`], [`IntervalMatrix`], [`Zonotope`], then one operation a file in `ops`,
-//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope`.
+//! one order reduction a file in `reduce`; [`ConstrainedZonotope`] with its operations in `constrained_zonotope` (LP re-encoding in
+//! `reencode`, sets in sets in `inclusion`), [`ZonotopeBundle`] in `bundle`; [`Strip`] and [`HalfSpace`]; [`HPolytope`] and [`VPolytope`]
+//! in `polytope`. What all have in common is [`SupportFunction`]; from it alone come polytopes of bounded size around a set
+//! ([`HPolytope::enclosing`]) and, in `plot`, [`Outline`] and [`Mesh`].
 //!
 //! ```
 //! use setrep::{Matrix, Reduction, Workspace, Zonotope};
@@ -29,6 +34,7 @@
 //! ```
 
 mod bounds;
+mod bundle;
 mod constrained_zonotope;
 mod error;
 mod interval_matrix;
@@ -36,6 +42,7 @@ mod interval_vector;
 mod matrix;
 mod matrix_nalgebra;
 mod ops;
+mod plot;
 mod polytope;
 mod reduce;
 mod strip;
@@ -44,8 +51,10 @@ mod wedge;
 mod workspace;
 mod zonotope;
 
+pub use bundle::{BundleComplexity, ZonotopeBundle};
 pub use constrained_zonotope::{
-    Complexity, ConstrainedZonotope, Contradiction, Directions, Emptiness, Optimizer, Reencoding, TemplateWidths,
+    Complexity, ConstrainedZonotope, Containment, Contradiction, Directions, Emptiness, Optimizer, Reencoding,
+    TemplateWidths,
 };
 pub use error::{Part, SetError};
 pub use interval_matrix::IntervalMatrix;
@@ -53,6 +62,7 @@ pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
 pub use ops::membership::{FACET_LIMIT, Membership};
 pub use ops::volume::MINOR_LIMIT;
+pub use plot::{Mesh, Outline};
 pub use polytope::{ChebyshevBall, Feasibility, HPolytope, MAX_FACES, PolytopeOptimizer, VPolytope};
 pub use reduce::Reduction;
 pub use strip::{HalfSpace, Strip};

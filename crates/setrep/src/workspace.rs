@@ -32,6 +32,9 @@ pub struct Workspace {
     pub(crate) draft: Option<crate::ConstrainedZonotope>,
     pub(crate) backup: Option<crate::ConstrainedZonotope>,
     pub(crate) lift: Option<crate::Zonotope>,
+    /// Members of a bundle being changed, and its constrained zonotope.
+    pub(crate) members: Vec<crate::Zonotope>,
+    pub(crate) program: Option<crate::ConstrainedZonotope>,
     /// A re-encoding under way.
     pub(crate) reencoding: crate::constrained_zonotope::ReencodingScratch,
 }

@@ -1,6 +1,7 @@
 //! The corpus: 13 kinds of sets, each with objectives.
 
 use super::random::Random;
+use super::{dot, norm1};
 use boxlp::Problem;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -100,10 +101,6 @@ pub(crate) fn case(kind: Kind, size: (usize, usize, usize), seed: u64) -> Case {
         objectives.push(objective);
     }
     Case { kind, problem, objectives }
-}
-
-fn dot(a: &[f64], x: &[f64]) -> f64 {
-    a.iter().zip(x).map(|(a, x)| a * x).sum()
 }
 
 fn rows(kind: Kind, n: usize, m: usize, random: &mut Random) -> Rows {
@@ -208,7 +205,7 @@ fn rows(kind: Kind, n: usize, m: usize, random: &mut Random) -> Rows {
     let miss = random.scale(-7.0, -0.5);
     if kind == Kind::EmptyByBound {
         let i = random.below(m);
-        let reach: f64 = entries[i].iter().map(|a| a.abs()).sum();
+        let reach = norm1(&entries[i]);
         let bound = reach * (1.0 + miss);
         ranges[i] = if random.below(2) == 0 { (bound, bound * 2.0) } else { (-bound * 2.0, -bound) };
     }
@@ -216,7 +213,7 @@ fn rows(kind: Kind, n: usize, m: usize, random: &mut Random) -> Rows {
         // The last row is a combination of two others (of one, if there are only two rows), but wants another value.
         let (a, b) = (0, if m > 2 { 1 } else { 0 });
         entries[m - 1] = (0..n).map(|j| entries[a][j] - 0.75 * entries[b][j]).collect();
-        let reach: f64 = entries.iter().map(|row| row.iter().map(|v| v.abs()).sum::<f64>()).sum();
+        let reach: f64 = entries.iter().map(|row| norm1(row)).sum();
         let highest = ranges[a].1 - 0.75 * ranges[b].0;
         ranges[m - 1] = (highest + 4.0 * miss * reach, f64::INFINITY);
     }

@@ -2,7 +2,7 @@
 
 use crate::common::corpus::{KINDS, Kind, case};
 use crate::common::exact::{Exact, rational};
-use crate::common::{cases, random::Random};
+use crate::common::{cases, norm1, random::Random};
 use boxlp::{Problem, Solver, Status};
 use num_traits::{Signed, ToPrimitive};
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn bounds_hold_exactly() {
                     let Some(optimum) = exact.maximize(c) else {
                         continue;
                     };
-                    let norm: f64 = c.iter().copied().map(f64::abs).sum();
+                    let norm = norm1(c);
                     assert!(
                         rational(solution.bound) >= optimum,
                         "{kind:?} {size:?} seed {seed}: bound below the optimum"
@@ -136,7 +136,7 @@ proptest! {
             prop_assert_ne!(solution.status, Status::Empty);
             prop_assert!(rational(solution.bound) >= optimum);
             if solution.status == Status::Optimal {
-                let norm: f64 = c.iter().copied().map(f64::abs).sum();
+                let norm = norm1(c);
                 let most = loosened.maximize(c).unwrap() + rational(1e-6 * norm + 1e-300);
                 prop_assert!(rational(solution.bound) <= most, "bound {:e}", solution.bound);
             }
@@ -148,7 +148,7 @@ proptest! {
 fn loosened(problem: &Problem, share: f64) -> Problem {
     let mut wide = problem.clone();
     for i in 0..problem.rows() {
-        let reach: f64 = problem.row(i).iter().copied().map(f64::abs).sum();
+        let reach = norm1(problem.row(i));
         let (lower, upper) = problem.range(i);
         wide.set_range(i, lower - share * reach, upper + share * reach).unwrap();
     }

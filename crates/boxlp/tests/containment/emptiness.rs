@@ -1,14 +1,14 @@
 //! Certificates and witnesses are true in exact arithmetic; sets that miss by more than 1e-9 are found empty.
 
-use crate::common::cases;
 use crate::common::corpus::{KINDS, case};
-use crate::common::exact::{Exact, dot, rational, weak_duality};
+use crate::common::exact::{self, Exact, rational, weak_duality};
 use crate::common::random::Random;
+use crate::common::{cases, dot, norm1};
 use boxlp::{Certificate, Emptiness, Problem, Solver, Status};
 use num_traits::Signed;
 
-/// Checks the answer of `emptiness` exactly; returns (empty, non-empty) claims.
-fn check(problem: &Problem, label: &str) -> (bool, bool) {
+/// Checks the answer of `emptiness` exactly, and the radius of a witness; returns (empty, non-empty) claims.
+pub(crate) fn check(problem: &Problem, widest: f64, label: &str) -> (bool, bool) {
     let zeros = vec![0.0; problem.variables()];
     let mut solver = Solver::new(problem.clone());
     match solver.emptiness() {
@@ -27,13 +27,13 @@ fn check(problem: &Problem, label: &str) -> (bool, bool) {
             if radius == 0.0 {
                 for i in 0..problem.rows() {
                     let (lower, upper) = problem.range(i);
-                    let activity = dot(problem.row(i), x);
+                    let activity = exact::dot(problem.row(i), x);
                     assert!(lower.is_infinite() || activity >= rational(lower), "{label}: witness below row {i}");
                     assert!(upper.is_infinite() || activity <= rational(upper), "{label}: witness above row {i}");
                 }
             } else {
                 // The set, cut to the ball, still has a point.
-                assert!(radius < 1e-9, "{label}: radius {radius:e}");
+                assert!(radius <= widest, "{label}: radius {radius:e}");
                 let mut ball = problem.clone();
                 for j in 0..problem.variables() {
                     let mut row = zeros.clone();
@@ -57,7 +57,7 @@ fn claims_on_the_corpus_are_true() {
             for size in [(2, 4, 2), (2, 6, 3), (2, 8, 4)] {
                 let label = format!("{kind:?} {size:?} seed {seed}");
                 let problem = case(kind, size, seed).problem;
-                let (empty, full) = check(&problem, &label);
+                let (empty, full) = check(&problem, 1e-9, &label);
                 assert_eq!(empty, kind.is_empty(), "{label}");
                 proven += usize::from(full);
                 if !empty && !full {
@@ -86,10 +86,10 @@ fn exact_points_and_exactly_dependent_rows_are_proven() {
         let mut pinned = Problem::new(n).unwrap();
         for k in 0..=m {
             let row = if k == 0 { corner.clone() } else { dyadic(n, 3) };
-            let value = row.iter().zip(&corner).map(|(a, x)| a * x).sum();
+            let value = dot(&row, &corner);
             pinned.push_row(&row, value, value).unwrap();
         }
-        assert!(check(&pinned, &format!("pinned, seed {seed}")).1, "pinned, seed {seed}");
+        assert!(check(&pinned, 0.0, &format!("pinned, seed {seed}")).1, "pinned, seed {seed}");
         // Equations through a point that no float need satisfy, then their multiples and sums.
         let rows: Vec<Vec<f64>> = (0..m).map(|_| dyadic(n, 900)).collect();
         let inner: Vec<f64> = dyadic(n, 700).iter().map(|v| v / 1000.0).collect();
@@ -98,8 +98,7 @@ fn exact_points_and_exactly_dependent_rows_are_proven() {
             let row: Vec<f64> = row.iter().map(|a| a * factor).collect();
             dependent.push_row(&row, value * factor, value * factor).unwrap();
         };
-        let values: Vec<f64> =
-            rows.iter().map(|row| row.iter().zip(&inner).map(|(a, x)| a * x).sum::<f64>().round()).collect();
+        let values: Vec<f64> = rows.iter().map(|row| dot(row, &inner).round()).collect();
         for (k, (row, &value)) in rows.iter().zip(&values).enumerate() {
             push(row, value, 1.0);
             push(row, value, -3.0);
@@ -107,7 +106,7 @@ fn exact_points_and_exactly_dependent_rows_are_proven() {
             let sum: Vec<f64> = row.iter().zip(&rows[0]).map(|(a, b)| a + 2.0 * b).collect();
             push(&sum, value + 2.0 * values[0], 1.0);
         }
-        assert!(check(&dependent, &format!("dependent, seed {seed}")).1, "dependent, seed {seed}");
+        assert!(check(&dependent, 1e-12, &format!("dependent, seed {seed}")).1, "dependent, seed {seed}");
     }
 }
 
@@ -119,7 +118,7 @@ fn the_ladder_is_climbed_on_the_right_side() {
         for kind in KINDS.into_iter().filter(|k| k.is_regular() && !k.is_tall()) {
             let case = case(kind, (2, 7, 3), seed);
             let c = &case.objectives[0];
-            let norm: f64 = c.iter().copied().map(f64::abs).sum();
+            let norm = norm1(c);
             let top = Solver::new(case.problem.clone()).maximize(c).unwrap().bound;
             for exponent in 2..15 {
                 for sign in [-1.0, 1.0] {
@@ -127,7 +126,7 @@ fn the_ladder_is_climbed_on_the_right_side() {
                     let shift = sign * norm * 10_f64.powi(-exponent);
                     problem.push_row(c, top + shift, f64::INFINITY).unwrap();
                     let label = format!("{kind:?} seed {seed} shift {shift:e}");
-                    let (empty, _) = check(&problem, &label);
+                    let (empty, _) = check(&problem, 1e-9, &label);
                     steps += 1;
                     if sign > 0.0 && exponent <= 8 && !empty {
                         missed += 1;

@@ -1,8 +1,8 @@
 //! Answers do not depend on what the solver did before: warm and cold starts, rows appended and dropped, ranges moved.
 
-use crate::common::cases;
 use crate::common::corpus::{Case, KINDS, Kind, SIZES, case};
 use crate::common::random::Random;
+use crate::common::{cases, norm1};
 use boxlp::{Problem, Solver, Status};
 
 /// Both answer alike: empty or not, and values within 1e-9 of `1 + |c|_1`.
@@ -10,7 +10,7 @@ fn assert_alike(warm: &mut Solver, problem: &Problem, objectives: &[Vec<f64>], l
     for c in objectives {
         let mut cold = Solver::new(problem.clone());
         let (a, b) = (warm.maximize(c).unwrap(), cold.maximize(c).unwrap());
-        let scale = 1.0 + c.iter().map(|c| c.abs()).sum::<f64>();
+        let scale = 1.0 + norm1(c);
         assert_eq!(a.status, b.status, "{label}");
         if a.status != Status::Empty {
             assert!((a.value - b.value).abs() <= 1e-9 * scale, "{label}: {} {}", a.value, b.value);
@@ -45,7 +45,7 @@ fn edits_are_as_good_as_a_fresh_problem() {
                 match random.below(5) {
                     0 | 1 => {
                         let row = &objectives[random.below(objectives.len())];
-                        let norm: f64 = row.iter().map(|a| a.abs()).sum();
+                        let norm = norm1(row);
                         let upper = norm * (0.2 + random.unit());
                         problem.push_row(row, f64::NEG_INFINITY, upper).unwrap();
                         solver.push_row(row, f64::NEG_INFINITY, upper).unwrap();
@@ -85,7 +85,7 @@ fn long_runs_stay_tight() {
         let mut pivots = 0;
         for _ in 0..objectives {
             let c: Vec<f64> = (0..size.1).map(|_| random.normal()).collect();
-            let norm: f64 = c.iter().map(|c| c.abs()).sum();
+            let norm = norm1(&c);
             let solution = solver.maximize(&c).unwrap();
             assert_eq!(solution.status, Status::Optimal);
             assert!(solution.gap() <= 1e-11 * norm, "{kind:?}: gap {:e} after {pivots} pivots", solution.gap() / norm);

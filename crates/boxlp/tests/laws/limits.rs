@@ -1,6 +1,7 @@
 //! A pivot limit loosens the bound, nothing else; large problems are within reach.
 
 use crate::common::corpus::{KINDS, Kind, SIZES, case};
+use crate::common::norm1;
 use boxlp::{Solver, Status};
 
 #[test]
@@ -9,7 +10,7 @@ fn a_pivot_limit_loosens_the_bound_only() {
         for seed in 0..4 {
             let case = case(kind, SIZES[2], seed);
             for c in case.objectives.iter().take(4) {
-                let norm: f64 = c.iter().map(|c| c.abs()).sum();
+                let norm = norm1(c);
                 let optimum = Solver::new(case.problem.clone()).maximize(c).unwrap().value;
                 let mut last = f64::INFINITY;
                 for limit in 0..60 {
@@ -39,7 +40,7 @@ fn the_largest_intended_sizes_are_solved() {
         let case = case(kind, size, 1);
         let mut solver = Solver::new(case.problem.clone());
         for c in &case.objectives {
-            let norm: f64 = c.iter().map(|c| c.abs()).sum();
+            let norm = norm1(c);
             let solution = solver.maximize(c).unwrap();
             assert_eq!(solution.status, Status::Optimal);
             assert!(solution.gap() <= 1e-11 * norm, "{kind:?}: {:e}", solution.gap() / norm);

@@ -2,8 +2,8 @@
 
 use super::microlp_oracle::Answer;
 use super::{clarabel_oracle, microlp_oracle};
-use crate::common::cases;
 use crate::common::corpus::{Case, KINDS, Kind, SIZES, case};
+use crate::common::{cases, norm1};
 use boxlp::{Emptiness, Solver, Status};
 use std::collections::BTreeMap;
 
@@ -42,7 +42,7 @@ fn run(case: &Case, seed: u64, solver: &mut Solver, tally: &mut Tally) {
     let clarabel =
         if kind.is_empty() { vec![None; objectives.len()] } else { clarabel_oracle::maximize(problem, objectives) };
     for (c, clarabel) in objectives.iter().zip(clarabel) {
-        let norm: f64 = c.iter().map(|c| c.abs()).sum();
+        let norm = norm1(c);
         let scale = 1.0 + norm;
         let label = format!("{kind:?} {}x{} seed {seed}", problem.variables(), problem.rows());
         let solution = solver.maximize(c).unwrap();

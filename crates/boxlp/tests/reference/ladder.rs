@@ -1,8 +1,8 @@
 //! Sets around the limit of emptiness, larger than exact arithmetic allows: `min t` of `microlp` is the judge.
 
 use super::microlp_oracle::{self, Answer};
-use crate::common::cases;
 use crate::common::corpus::{KINDS, SIZES, case};
+use crate::common::{cases, norm1};
 use boxlp::{Emptiness, Solver};
 
 /// No set is missed whose rows miss by more than 1e-9 of their 1-norms, none is called empty that has a point.
@@ -17,7 +17,7 @@ fn no_empty_set_is_missed_and_none_is_invented() {
                 }
                 let case = case(kind, *size, 1000 + seed);
                 let c = &case.objectives[1];
-                let norm: f64 = c.iter().map(|c| c.abs()).sum();
+                let norm = norm1(c);
                 let top = Solver::new(case.problem.clone()).maximize(c).unwrap().value;
                 for exponent in [-3, -6, -8, -9, -10, -12] {
                     for sign in [1.0, -1.0] {

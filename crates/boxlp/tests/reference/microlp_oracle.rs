@@ -1,5 +1,6 @@
 //! `microlp` (primal and dual simplex) as an oracle.
 
+use crate::common::norm1;
 use boxlp::Problem;
 use microlp::{ComparisonOp, OptimizationDirection, Variable};
 
@@ -14,7 +15,7 @@ pub(crate) enum Answer {
 fn add_rows(lp: &mut microlp::Problem, problem: &Problem, x: &[Variable], slack: Option<Variable>) {
     for i in 0..problem.rows() {
         let row = problem.row(i);
-        let norm: f64 = row.iter().map(|a| a.abs()).sum();
+        let norm = norm1(row);
         let (lower, upper) = problem.range(i);
         let mut terms: Vec<(Variable, f64)> = x.iter().copied().zip(row.iter().copied()).collect();
         if lower == upper && slack.is_none() {

@@ -270,7 +270,9 @@ fn fit(
     evaluate(f, at_point, point, domain.parameters, point_jet)?;
     let nested = states < n && (0..m).any(|i| form(over_box, i) == Form::MeanValue);
     if nested {
-        point[states..].copy_from_slice(&domain.hull[states..]);
+        for (x, side) in point.iter_mut().zip(domain.hull).skip(states) {
+            *x = x.hull(*side);
+        }
         evaluate(f, Order::Jacobian, point, domain.parameters, noise_at_point)?;
     }
     steps.clear();

@@ -40,6 +40,7 @@ pub(super) fn unary(operation: Unary, z: Interval, a: Interval) -> Interval {
         Unary::Sqr => both_signs(nonnegative(z).sqrt(), a),
         Unary::Recip => power(-1, z, a),
         Unary::Abs => both_signs(nonnegative(z), a),
+        Unary::Sign => sign(z, a),
         Unary::Sqrt => a.intersection(nonnegative(z).sqr()),
         Unary::Exp => a.intersection(z.ln()),
         Unary::Ln => a.intersection(z.exp()),
@@ -102,6 +103,16 @@ fn smaller(z: Interval, a: Interval, b: Interval) -> Interval {
     let a = a.intersection(from(z.lo()));
     // Where b is above z, it is a that is the smaller.
     if b.lo() > z.hi() { a.intersection(up_to(z.hi())) } else { a }
+}
+
+/// `a` of `z = sign(a)`, where the sign of zero may be any number between -1 and 1.
+fn sign(z: Interval, a: Interval) -> Interval {
+    let z = z.intersection(between(-1.0, 1.0));
+    if z.is_empty() {
+        return z;
+    }
+    let a = if z.lo() > -1.0 { nonnegative(a) } else { a };
+    if z.hi() < 1.0 { a.intersection(up_to(0.0)) } else { a }
 }
 
 /// `a` of `z = a^n`.

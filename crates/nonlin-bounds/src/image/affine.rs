@@ -127,6 +127,18 @@ pub fn affine_image<S: GeneratorSet>(
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<S, BoundError> {
+    enclose_over_hull(form, f, set, at, p, workspace)?.image(set, workspace)
+}
+
+/// Encloses a function over the interval hull of a set.
+pub(crate) fn enclose_over_hull<S: GeneratorSet>(
+    form: Form,
+    f: &dyn DynFunction,
+    set: &S,
+    at: Expansion<'_>,
+    p: &[Interval],
+    workspace: &mut Workspace,
+) -> Result<AffineEnclosure, BoundError> {
     let mut hull = vec![Interval::EMPTY; set.dim()];
     set.hull_into(&mut hull, &mut workspace.sets)?;
     if hull.iter().any(Interval::is_empty) {
@@ -136,5 +148,5 @@ pub fn affine_image<S: GeneratorSet>(
     set.expand(&at, &hull, workspace, &mut point)?;
     let mut enclosure = AffineEnclosure::new();
     enclosure.enclose(form, f, &Domain::new(&hull, &point).with_parameters(p), workspace)?;
-    enclosure.image(set, workspace)
+    Ok(enclosure)
 }

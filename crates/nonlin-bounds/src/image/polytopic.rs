@@ -5,7 +5,7 @@ use scalars::rounding::add_up;
 use setrep::{MAX_FACES, Matrix, SetError, VPolytope};
 
 use crate::expanded::Expanded;
-use crate::{BoundError, DynFunction, Workspace};
+use crate::{BoundError, DynFunction, Expansion, Workspace};
 
 /// A side below this share of the image's extent is rounding, or as good as: it goes to the remainder and doubles no corner.
 const THIN: f64 = 1e-12;
@@ -13,9 +13,9 @@ const THIN: f64 = 1e-12;
 /// A side below this share of its own magnitude is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Image `{ f(x, p) : x in X }` of a polytope `X = conv V + [-r, r]`, shape `at: n`.
+/// Image `{ f(x, p) : x in X }` of a polytope `X = conv V + [-r, r]`.
 ///
-/// `conv_i ( f(x_0) + [J] (v_i - x_0) ) + [-s, s]`, `[J]` the range of the Jacobian over the interval hull of `X` and `x_0`, `s = |[J]| r`.
+/// `conv_i ( f(x_0) + [J] (v_i - x_0) ) + [-s, s]`, `[J]` the range of the Jacobian over the interval hull of `X`, `s = |[J]| r`.
 /// Each product of the interval matrix and a vector is a box; its corners (one for a side without width) are the candidates, and the
 /// result has the extreme ones among them: at most `2^m` a vertex, and exactly the image where `f` is affine.
 ///
@@ -31,7 +31,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 pub fn polytopic_image(
     f: &dyn DynFunction,
     set: &VPolytope,
-    at: &[f64],
+    at: Expansion<'_>,
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<VPolytope, BoundError> {

@@ -1,9 +1,10 @@
 //! Solution sets by affine enclosures: rows of the mean value, slope, Taylor and natural forms.
 
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, Matrix, SetError};
+use setrep::{ConstrainedZonotope, Matrix, SetError, Strip};
 
-use crate::{AffineEnclosure, BoundError, Operand, Workspace};
+use crate::image::enclose_over_hull;
+use crate::{AffineEnclosure, BoundError, DynFunction, Expansion, Form, Operand, Workspace};
 
 /// Rows `C x in [d]`, one for each output that says something. Shapes `C: k x n`, `[d]: k` intervals.
 ///
@@ -40,18 +41,13 @@ impl Rows {
         &self.outputs
     }
 
-    /// The strip of row `i`: its range, the direction written to `direction` (length `n`); `None` if there is no such row.
+    /// The rows one by one, for sets that are cut by strips.
     ///
     /// # Errors
-    /// [`BoundError::Dimension`].
-    pub fn strip_into(&self, i: usize, direction: &mut [f64]) -> Result<Option<Interval>, BoundError> {
-        BoundError::check_size(Operand::Variables, self.directions.cols(), direction.len())?;
-        if i < self.ranges.len() {
-            for (entry, column) in direction.iter_mut().zip(self.directions.columns()) {
-                *entry = column[i];
-            }
-        }
-        Ok(self.ranges.get(i).copied())
+    /// [`SetError::ZeroDimension`] for rows without variables.
+    pub fn strips(&self) -> Result<Vec<Strip>, BoundError> {
+        let direction = |i: usize| -> Vec<f64> { self.directions.columns().map(|column| column[i]).collect() };
+        self.ranges.iter().enumerate().map(|(i, &range)| Ok(Strip::new(&direction(i), range)?)).collect()
     }
 
     /// Intersection of a constrained zonotope with all rows: no generators, one constraint a row.
@@ -260,4 +256,28 @@ impl AffineEnclosure {
         workspace.map = map;
         result
     }
+}
+
+/// The part of a set with `g(x, p) in Y`, `Y` a box whose sides may be unbounded, in one of the forms of [`Form`] over the interval
+/// hull of the set. Noises are among the variables: stack their set with the states'.
+///
+/// To enclose several times over one hull, to name noises, or to allocate nothing, use [`AffineEnclosure`].
+///
+/// **Guarantee:** superset of `{ x in X : g(x, p) in Y }` for every `p` in the parameters, remainder and rounding included.
+///
+/// # Errors
+/// As [`AffineEnclosure::enclose`] and [`AffineEnclosure::intersect`]; [`SetError::EmptySet`] if the set is proven empty.
+pub fn affine_solution(
+    form: Form,
+    g: &dyn DynFunction,
+    set: &ConstrainedZonotope,
+    values: &[Interval],
+    at: Expansion<'_>,
+    p: &[Interval],
+    workspace: &mut Workspace,
+) -> Result<ConstrainedZonotope, BoundError> {
+    let enclosure = enclose_over_hull(form, g, set, at, p, workspace)?;
+    let mut solution = set.clone();
+    enclosure.intersect(&mut solution, values, workspace)?;
+    Ok(solution)
 }

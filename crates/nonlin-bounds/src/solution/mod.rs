@@ -1,9 +1,15 @@
 //! Solution sets, `{ x in X : g(x, p) in Y }`; one method a file.
+//!
+//! Rows of an [`AffineEnclosure`](crate::AffineEnclosure) cut constrained zonotopes without slack generators, and are strips for
+//! zonotopes; they hold for every solution in the box that they were made on. So one may enclose again on the smaller hull that the
+//! rows leave, cut the first set with the rows of the last pass, and come back until the hull stops shrinking.
 
 mod affine;
+mod decomposition;
 mod polytopic;
 mod polytopic_lift;
 
-pub use affine::Rows;
+pub use affine::{Rows, affine_solution};
+pub use decomposition::decomposition_solution;
 pub use polytopic::polytopic_solution;
 pub use polytopic_lift::polytopic_solution_lift;

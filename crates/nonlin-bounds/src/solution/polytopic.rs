@@ -5,16 +5,16 @@ use scalars::rounding::add_up;
 use setrep::{HPolytope, Matrix, SetError, VPolytope};
 
 use crate::expanded::Expanded;
-use crate::{BoundError, DynFunction, Operand, Workspace};
+use crate::{BoundError, DynFunction, Expansion, Operand, Workspace};
 
 /// Where the widths of a row at the vertices differ by less than this share of its values, it is as good as affine.
 const THIN: f64 = 1e-12;
 
-/// Solution set `{ x in X : g(x, p) in Y }` in a polytope `X = conv V + [-r, r]`, `Y = { y : A y <= b }`, shape `at: n`.
+/// Solution set `{ x in X : g(x, p) in Y }` in a polytope `X = conv V + [-r, r]`, `Y = { y : A y <= b }`.
 ///
 /// For `x = sum_i l_i v_i + e` with `l` in the unit simplex, row `j` of `A g(x) <= b` implies
 /// `sum_i l_i low_ji <= b_j + |[J_j]| r`, `low_ji` the least value of `A_j g(x_0) + [J_j] (v_i - x_0)`, `[J]` the range of the Jacobian of `A g`
-/// over the interval hull of `X` and `x_0`. So a row leaves the points below which the hull of the points `(v_i, low_ji)` in `R^(n+1)` reaches
+/// over the interval hull of `X`. So a row leaves the points below which the hull of the points `(v_i, low_ji)` in `R^(n+1)` reaches
 /// down to the level, a polytope whose edges are found exactly. The rows are taken in turn; each is evaluated at the vertices
 /// that the ones before have left. A row affine in `x` is an intersection with a half-space.
 ///
@@ -32,7 +32,7 @@ pub fn polytopic_solution(
     g: &dyn DynFunction,
     set: &VPolytope,
     y: &HPolytope,
-    at: &[f64],
+    at: Expansion<'_>,
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<VPolytope, BoundError> {
@@ -50,13 +50,11 @@ pub(super) fn rows_over(
     g: &dyn DynFunction,
     set: &VPolytope,
     y: &HPolytope,
-    at: &[f64],
+    at: Expansion<'_>,
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<Expanded, BoundError> {
-    if y.dim() != g.outputs() {
-        return Err(BoundError::Dimension { operand: Operand::Outputs, expected: g.outputs(), found: y.dim() });
-    }
+    BoundError::check_size(Operand::Outputs, g.outputs(), y.dim())?;
     Ok(Expanded::over(g, set, at, p, &mut workspace.jet)?.combined(y.normals()))
 }
 

@@ -5,7 +5,7 @@ use scalars::rounding::{add_up, sum_up};
 use setrep::{ConstrainedZonotope, HPolytope, Matrix, VPolytope, Zonotope};
 
 use super::polytopic::rows_over;
-use crate::{BoundError, DynFunction, Workspace};
+use crate::{BoundError, DynFunction, Expansion, Workspace};
 
 /// The solution set of [`polytopic_solution`](super::polytopic_solution) with all rows at once, as a constrained zonotope.
 ///
@@ -23,7 +23,7 @@ pub fn polytopic_solution_lift(
     g: &dyn DynFunction,
     set: &VPolytope,
     y: &HPolytope,
-    at: &[f64],
+    at: Expansion<'_>,
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<ConstrainedZonotope, BoundError> {

@@ -43,7 +43,8 @@ pub(super) fn tape(recorder: &Recorder, outputs: &[u32], n: usize, q: usize) -> 
         for position in pair.into_iter().flatten() {
             let Entry::Node(node) = entries[position] else { continue };
             slots[position] = (tape.first_node() + tape.nodes.len()) as u32;
-            tape.nodes.push(node.moved(|operand| slots[operand as usize]));
+            let (a, b) = node.operands();
+            tape.nodes.push(node.with_operands(slots[a as usize], slots[b.unwrap_or(a) as usize]));
             tape.needed_by.push(needed_by[position]);
         }
     }

@@ -19,7 +19,7 @@ impl Tape {
     pub fn eval_with<S: Scalar>(&self, x: &[S], p: &[S], y: &mut [S], buffer: &mut Vec<S>) -> Result<(), BoundError> {
         self.check(x.len(), p.len())?;
         check_length(Operand::Outputs, self.outputs.len(), y.len())?;
-        self.run(x, p, buffer);
+        self.run(x.iter().chain(p).copied(), buffer);
         self.read_outputs(buffer, y);
         Ok(())
     }
@@ -30,12 +30,11 @@ impl Tape {
         check_length(Operand::Parameters, self.parameters, p)
     }
 
-    /// Fills the buffer with the values of all slots; the lengths are right.
-    pub(super) fn run<S: Scalar>(&self, x: &[S], p: &[S], buffer: &mut Vec<S>) {
+    /// Fills the buffer with the values of all slots, from those of the variables and the parameters.
+    pub(super) fn run<S: Scalar>(&self, leaves: impl Iterator<Item = S>, buffer: &mut Vec<S>) {
         buffer.clear();
         buffer.reserve(self.slots());
-        buffer.extend_from_slice(x);
-        buffer.extend_from_slice(p);
+        buffer.extend(leaves);
         buffer.extend(self.constants.iter().map(|c| S::lit(c.lo(), c.hi())));
         let mut rest = self.nodes.iter();
         while let Some(&node) = rest.next() {
@@ -80,7 +79,7 @@ impl Function for Tape {
     /// Replays the tape, with a buffer that is kept for the next call on the same thread.
     fn eval<S: Scalar>(&self, x: &[S], p: &[S], y: &mut [S]) {
         with_buffer(|buffer| {
-            self.run(&x[..self.variables], &p[..self.parameters], buffer);
+            self.run(x[..self.variables].iter().chain(&p[..self.parameters]).copied(), buffer);
             self.read_outputs(buffer, y);
         });
     }

@@ -1,8 +1,9 @@
 //! [`Tape`]: a function as data, recorded by running it once on symbols.
 //!
 //! Reading order: `node` (one operation), `recorder` (each operation once, in a simple form), `symbol` (the scalar that records),
-//! `compile` (dead code out, slots in order), `evaluate` (over any scalar), `display` (formulas).
+//! `compile` (dead code out, slots in order), `evaluate` (over any scalar), `adjoint` (reverse mode), `display` (formulas).
 
+mod adjoint;
 mod compile;
 mod display;
 mod evaluate;
@@ -14,6 +15,7 @@ mod symbol;
 use scalars::{Interval, Scalar};
 
 use crate::Function;
+pub(crate) use adjoint::Buffers as AdjointBuffers;
 pub(crate) use evaluate::sine_with_cosine;
 use node::Node;
 use symbol::{Recording, Symbol};
@@ -22,7 +24,8 @@ use symbol::{Recording, Symbol};
 ///
 /// A slot is a value: the variables come first, then the parameters, the constants, and one slot for each operation, whose operands lie
 /// before it. A tape is itself a [`Function`], so every enclosure takes it in place of what was recorded; besides, it can be run
-/// backwards ([`ForwardBackward`](crate::ForwardBackward)) and printed.
+/// backwards, for contraction ([`ForwardBackward`](crate::ForwardBackward)) and for gradients
+/// ([`enclose_backward`](Self::enclose_backward)), and printed.
 ///
 /// Constants are kept as intervals that contain the numbers meant (`S::decimal("0.1")`, `S::ratio(1, 7)`, `S::pi()`).
 ///

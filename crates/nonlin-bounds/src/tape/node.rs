@@ -24,6 +24,7 @@ pub(crate) enum Unary {
     Sqr,
     Recip,
     Abs,
+    Sign,
     Sqrt,
     Exp,
     Ln,
@@ -93,6 +94,7 @@ impl Node {
                     Unary::Sqr => a.sqr(),
                     Unary::Recip => a.recip(),
                     Unary::Abs => a.abs(),
+                    Unary::Sign => a.sign(),
                     Unary::Sqrt => a.sqrt(),
                     Unary::Exp => a.exp(),
                     Unary::Ln => a.ln(),
@@ -125,15 +127,15 @@ impl Node {
         }
     }
 
-    /// The same operation on operands at other slots.
-    pub(crate) fn moved(self, to: impl Fn(u32) -> u32) -> Self {
+    /// The same operation on operands at other slots; the second is ignored by a function of one.
+    pub(crate) fn with_operands(self, a: u32, b: u32) -> Self {
         match self {
-            Self::Unary(operation, a) => Self::Unary(operation, to(a)),
-            Self::Binary(operation, a, b) => Self::Binary(operation, to(a), to(b)),
-            Self::Scale(a, k) => Self::Scale(to(a), k),
-            Self::Shift(a, k) => Self::Shift(to(a), k),
-            Self::Power(a, n) => Self::Power(to(a), n),
-            Self::Stumpff(a, k) => Self::Stumpff(to(a), k),
+            Self::Unary(operation, _) => Self::Unary(operation, a),
+            Self::Binary(operation, ..) => Self::Binary(operation, a, b),
+            Self::Scale(_, k) => Self::Scale(a, k),
+            Self::Shift(_, k) => Self::Shift(a, k),
+            Self::Power(_, n) => Self::Power(a, n),
+            Self::Stumpff(_, k) => Self::Stumpff(a, k),
         }
     }
 

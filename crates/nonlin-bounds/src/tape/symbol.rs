@@ -199,6 +199,6 @@ impl Scalar for Symbol {
     }
     functions!(
         sqr Sqr, recip Recip, sqrt Sqrt, exp Exp, ln Ln, sin Sin, cos Cos, tan Tan, asin Asin, acos Acos, atan Atan,
-        sinh Sinh, cosh Cosh, tanh Tanh, abs Abs,
+        sinh Sinh, cosh Cosh, tanh Tanh, abs Abs, sign Sign,
     );
 }

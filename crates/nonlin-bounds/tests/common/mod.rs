@@ -3,4 +3,5 @@
 #![allow(dead_code, reason = "every binary uses its own part")]
 
 pub(crate) mod functions;
+pub(crate) mod polynomial;
 pub(crate) mod random;

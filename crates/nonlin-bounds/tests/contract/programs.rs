@@ -15,7 +15,7 @@ pub(crate) struct Step {
 }
 
 /// Number of operations a step may choose from.
-pub(crate) const OPERATIONS: usize = 40;
+pub(crate) const OPERATIONS: usize = 41;
 
 /// Straight-line code; the outputs are the last values.
 #[derive(Debug, Clone)]
@@ -66,6 +66,7 @@ fn apply<S: Scalar>(step: Step, a: S, b: S) -> S {
         36 => S::pi() - a,
         37 => a.sin_cos().0 * a.sin_cos().1,
         38 => a.powi(0),
+        40 => a.sign(),
         _ => a * a - S::decimal("0.1") * b,
     }
 }

@@ -5,6 +5,25 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../polytopic/polynomials.rs"]
+#[allow(dead_code)]
+mod polynomials;
+#[path = "../../../setrep/tests/common/mod.rs"]
+mod sets;
 
+mod allocations;
+mod bad_input;
+mod dc;
+mod decomposition;
+mod exact;
+mod generated;
+mod members;
+mod models;
+mod noises;
 mod paper;
 mod planar;
+mod quadratic;
+mod tightness;
+
+/// Seed of all batteries; printed with every failing case.
+const SEED: u64 = 20_261_122;

@@ -1,6 +1,6 @@
 //! Containment of images of exact points.
 
-use nonlin_bounds::{DynFunction, Function, Jet, Order, Workspace, polytopic_image};
+use nonlin_bounds::{DynFunction, Expansion, Function, Jet, Order, Workspace, polytopic_image};
 use scalars::Interval;
 use setrep::{IntervalVector, Matrix, Membership, VPolytope};
 
@@ -19,7 +19,7 @@ fn images_of_exact_members_under_polynomials_are_inside() {
         let (n, m) = (1 + random.below(3), 1 + random.below(3));
         let (f, set) = (Polynomials::random(random, n, m), polytope(random, n));
         let at = expansion_point(random, &set);
-        let image = polytopic_image(&f, &set, &at, &[], &mut workspace).unwrap();
+        let image = polytopic_image(&f, &set, Expansion::Point(&at), &[], &mut workspace).unwrap();
         let half_spaces = image.to_h_polytope().unwrap();
         for k in 0..30 {
             let y = IntervalVector::point(&f.exact(&member(random, &set)));
@@ -58,7 +58,7 @@ impl Visitor for Smooth<'_> {
             (0..2 + random.below(5)).for_each(|_| vertices.push_col(&random.point(&sides)).unwrap());
             let set = VPolytope::new(vertices).unwrap();
             let at = expansion_point(random, &set);
-            let image = polytopic_image(&f, &set, &at, &p, self.workspace).unwrap();
+            let image = polytopic_image(&f, &set, Expansion::Point(&at), &p, self.workspace).unwrap();
             let half_spaces = image.to_h_polytope().unwrap();
             for vertex in set.vertices().columns() {
                 f.enclose(Order::Value, &IntervalVector::point(vertex), &p, &mut jet).unwrap();

@@ -1,6 +1,6 @@
 //! Sizes: values by hand, and the same sets by other means.
 
-use nonlin_bounds::{Function, Workspace, polytopic_image, polytopic_solution, polytopic_solution_lift};
+use nonlin_bounds::{Expansion, Function, Workspace, polytopic_image, polytopic_solution, polytopic_solution_lift};
 use scalars::{Interval, Scalar};
 use setrep::{HPolytope, IntervalVector, Matrix, Membership, VPolytope};
 
@@ -37,7 +37,7 @@ impl Function for Affine {
 #[test]
 fn affine_images_are_exact() {
     let triangle = polygon(&[&[0.0, 0.0], &[4.0, 0.0], &[0.0, 2.0], &[1.0, 0.5]]);
-    let image = polytopic_image(&Affine, &triangle, &[1.0, 1.0], &[], &mut Workspace::new()).unwrap();
+    let image = polytopic_image(&Affine, &triangle, Expansion::Point(&[1.0, 1.0]), &[], &mut Workspace::new()).unwrap();
     assert_eq!(image.num_vertices(), 3);
     assert!(image.remainder().iter().all(|&r| r < 1e-13));
     assert!((area(&image) - 3.0 * 4.0).abs() < 1e-12);
@@ -64,7 +64,8 @@ impl Function for SquareAndSum {
 #[test]
 fn boxes_around_vertices_are_as_by_hand() {
     let segment = polygon(&[&[0.0, 0.0], &[2.0, 0.0]]);
-    let image = polytopic_image(&SquareAndSum, &segment, &[1.0, 0.0], &[], &mut Workspace::new()).unwrap();
+    let image =
+        polytopic_image(&SquareAndSum, &segment, Expansion::Point(&[1.0, 0.0]), &[], &mut Workspace::new()).unwrap();
     assert_eq!(image.num_vertices(), 4);
     let hull = image.interval_hull();
     for (side, (lo, hi)) in hull.iter().zip([(-3.0, 5.0), (0.0, 2.0)]) {
@@ -78,7 +79,7 @@ fn boxes_around_vertices_are_as_by_hand() {
 #[test]
 fn the_remainder_of_the_set_is_carried_over() {
     let set = VPolytope::with_remainder(Matrix::from_columns(&[&[1.0, 0.0]]).unwrap(), &[0.0, 0.5]).unwrap();
-    let image = polytopic_image(&Affine, &set, &[1.0, 0.0], &[], &mut Workspace::new()).unwrap();
+    let image = polytopic_image(&Affine, &set, Expansion::Point(&[1.0, 0.0]), &[], &mut Workspace::new()).unwrap();
     assert!((image.remainder()[0] - 1.0).abs() < 1e-14 && (image.remainder()[1] - 0.5).abs() < 1e-14);
 }
 
@@ -108,7 +109,7 @@ fn the_planar_map_has_the_area_of_the_printed_formula() {
     }
     let expected = area(&VPolytope::new(points).unwrap());
     let set = polygon(&[&corners[0], &corners[1], &corners[2]]);
-    let image = polytopic_image(&PlanarMap, &set, &p0, &[], &mut Workspace::new()).unwrap();
+    let image = polytopic_image(&PlanarMap, &set, Expansion::Point(&p0), &[], &mut Workspace::new()).unwrap();
     assert!((area(&image) - expected).abs() < 1e-9 * expected);
 }
 
@@ -118,7 +119,8 @@ fn affine_rows_cut_exactly() {
     let square = polygon(&[&[0.0, 0.0], &[1.0, 0.0], &[1.0, 1.0], &[0.0, 1.0]]);
     let y = HPolytope::new(Matrix::from_rows(&[&[1.0, 0.0]]).unwrap(), &[4.5]).unwrap();
     // x_1 + 2 x_2 <= 3/2
-    let solution = polytopic_solution(&Affine, &square, &y, &[0.5, 0.5], &[], &mut Workspace::new()).unwrap();
+    let solution =
+        polytopic_solution(&Affine, &square, &y, Expansion::Point(&[0.5, 0.5]), &[], &mut Workspace::new()).unwrap();
     assert!((area(&solution) - 0.5).abs() < 1e-12);
     assert_eq!(solution.num_vertices(), 4);
 }
@@ -143,7 +145,7 @@ fn one_row_in_a_triangle_agrees_with_brute_force() {
             at[0] * at[0] - 0.5 * (at[0] + at[1]) + term - 0.5 * (v[1] - at[1])
         };
         let lows: Vec<f64> = corners.iter().map(|v| low(v)).collect();
-        let solution = match polytopic_solution(&SquareAndSum, &set, &y, &at, &[], &mut workspace) {
+        let solution = match polytopic_solution(&SquareAndSum, &set, &y, Expansion::Point(&at), &[], &mut workspace) {
             Ok(solution) => solution.to_h_polytope().unwrap(),
             Err(error) => {
                 assert_eq!(error, setrep::SetError::EmptySet.into());
@@ -174,8 +176,8 @@ fn one_row_gives_the_same_set_twice() {
     let mut workspace = Workspace::new();
     let y = HPolytope::new(Matrix::from_rows(&[&[1.0, -1.0]]).unwrap(), &[-0.25]).unwrap();
     let at = [0.0, 0.0];
-    let solution = polytopic_solution(&SquareAndSum, &square, &y, &at, &[], &mut workspace).unwrap();
-    let lift = polytopic_solution_lift(&SquareAndSum, &square, &y, &at, &[], &mut workspace).unwrap();
+    let solution = polytopic_solution(&SquareAndSum, &square, &y, Expansion::Point(&at), &[], &mut workspace).unwrap();
+    let lift = polytopic_solution_lift(&SquareAndSum, &square, &y, Expansion::Point(&at), &[], &mut workspace).unwrap();
     for k in 0..64 {
         let angle = f64::from(k) * std::f64::consts::TAU / 64.0;
         let direction = [angle.cos(), angle.sin()];
@@ -191,7 +193,7 @@ fn a_second_pass_tightens() {
     let y = HPolytope::from_intervals(&[Interval::point(0.25), Interval::new(-10.0, 10.0).unwrap()]).unwrap();
     let mut workspace = Workspace::new();
     let pass = |set: &VPolytope, workspace: &mut Workspace| {
-        polytopic_solution(&SquareAndSum, set, &y, &set.interval_hull().mid(), &[], workspace).unwrap()
+        polytopic_solution(&SquareAndSum, set, &y, Expansion::HullCenter, &[], workspace).unwrap()
     };
     let first = pass(&set, &mut workspace);
     // About 1: 1 + [0, 4] (x - 1) = 1/4 for some slope cuts the weights to l_2 <= 13/16, and from below to nothing.

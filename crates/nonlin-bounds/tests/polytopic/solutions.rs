@@ -1,6 +1,6 @@
 //! Containment of exact solutions.
 
-use nonlin_bounds::{Workspace, polytopic_solution, polytopic_solution_lift};
+use nonlin_bounds::{Expansion, Workspace, polytopic_solution, polytopic_solution_lift};
 use scalars::Interval;
 use setrep::{HPolytope, IntervalVector, Matrix, Membership};
 
@@ -36,9 +36,9 @@ fn exact_solutions_are_kept() {
         let x = member(random, &set);
         let y = target(random, &g.exact(&x));
         let at = expansion_point(random, &set);
-        let solution = polytopic_solution(&g, &set, &y, &at, &[], &mut workspace).unwrap();
+        let solution = polytopic_solution(&g, &set, &y, Expansion::Point(&at), &[], &mut workspace).unwrap();
         let half_spaces = solution.to_h_polytope().unwrap();
-        let lift = polytopic_solution_lift(&g, &set, &y, &at, &[], &mut workspace).unwrap();
+        let lift = polytopic_solution_lift(&g, &set, &y, Expansion::Point(&at), &[], &mut workspace).unwrap();
         for k in 0..60 {
             let x = member(random, &set);
             if y.membership(&IntervalVector::point(&g.exact(&x))).unwrap() != Membership::ProvenInside {
@@ -71,8 +71,8 @@ fn solutions_are_subsets() {
         let x = member(random, &set);
         let y = target(random, &g.exact(&x));
         let at = set.interval_hull().mid();
-        let solution = polytopic_solution(&g, &set, &y, &at, &[], &mut workspace).unwrap();
-        let lift = polytopic_solution_lift(&g, &set, &y, &at, &[], &mut workspace).unwrap();
+        let solution = polytopic_solution(&g, &set, &y, Expansion::Point(&at), &[], &mut workspace).unwrap();
+        let lift = polytopic_solution_lift(&g, &set, &y, Expansion::Point(&at), &[], &mut workspace).unwrap();
         for _ in 0..4 {
             let direction: Vec<f64> = (0..n).map(|_| random.unit()).collect();
             let limit = set.support(&direction).unwrap() + 1e-11;

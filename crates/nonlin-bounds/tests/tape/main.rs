@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod backward;
 mod display;
 mod recording;
 mod replay;

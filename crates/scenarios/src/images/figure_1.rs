@@ -1,13 +1,15 @@
 //! Figure 1 of paper 003: images of a triangle by Taylor and mean value extensions about several points.
 
 use nalgebra::DVector;
-use nonlin_bounds::{DynFunction, Jet, Order};
+use nonlin_bounds::{DynFunction, Jet, Order, Workspace};
 use scalars::Interval;
 use setrep::{Matrix, VPolytope};
 
 use super::enclosure::Enclosure;
+use super::methods::{Method, method_name};
 use super::models::Planar;
 use super::plane::{Shape, enclosure_of};
+use super::sets::{Form, Sets};
 use crate::published::taylor::{Cross, image as taylor};
 use crate::published::{CgRep, mean_value};
 use crate::{Mode, ScenarioError};
@@ -17,7 +19,7 @@ const CLOSEST: [f64; 2] = [5.5, 0.5];
 /// The middle of the triangle's hull: C1, and for the mean value extension also C2.
 const HULL_CENTER: [f64; 2] = [5.75, 0.5];
 /// Barycentric coordinates of the samples are multiples of its reciprocal: all samples are floats.
-const MESH: usize = 64;
+const MESH: usize = 32;
 
 /// The set of the figure, the triangle with the corners `(6.5, 1)`, `(5.5, 0.5)`, `(5, 0)`, with its centre outside.
 #[must_use]
@@ -71,7 +73,7 @@ pub fn published() -> Result<Vec<Shape>, ScenarioError> {
     let (set, hull) = (triangle(), hull());
     let shape = |row: &'static str, method: &'static str, mode: Mode, reference: f64, set: Option<CgRep>| {
         let set = enclosure_of(set)?;
-        Ok::<_, ScenarioError>(Shape { row, method, mode: Some(mode), reference: Some(reference), set })
+        Ok::<_, ScenarioError>(Shape { row, method: method.into(), mode: Some(mode), reference: Some(reference), set })
     };
     let point = |x: &[f64]| DVector::from_column_slice(x);
     let second = |gamma: &[f64], cross: Cross| taylor(&Planar, &set, &hull, &point(gamma), cross);
@@ -86,6 +88,31 @@ pub fn published() -> Result<Vec<Shape>, ScenarioError> {
         shape(middle, "czmv", Mode::Sound, 0.327099, first(&HULL_CENTER)?)?,
         shape(closest, "czmv", Mode::Sound, 0.427367, first(&CLOSEST)?)?,
     ])
+}
+
+/// The enclosures of this library, about the middle of the hull.
+///
+/// # Errors
+/// [`ScenarioError::Bound`] if a method fails.
+pub fn rigorous() -> Result<Vec<Shape>, ScenarioError> {
+    let constrained = triangle().to_set()?;
+    let sets = Sets { zonotope: constrained.unconstrained().clone(), constrained, vertices: corners()? };
+    let mut workspace = Workspace::new();
+    let mut shapes = Vec::new();
+    for form in [Form::Constrained, Form::Vertices] {
+        for &method in Method::of_images(form) {
+            let set = method.image(&Planar, &sets, form, &mut workspace)?;
+            let row = "gamma = middle of the hull";
+            shapes.push(Shape {
+                row,
+                method: method_name(method, form),
+                mode: Some(Mode::Rigorous),
+                reference: None,
+                set,
+            });
+        }
+    }
+    Ok(shapes)
 }
 
 /// The same set as it came: for the panel of the figure.

@@ -2,11 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 use scalars::Interval;
-use setrep::{IntervalVector, Workspace};
+use setrep::{Matrix, VPolytope, Workspace};
 
 use super::enclosure::Enclosure;
+use super::methods::{Method, method_name};
 use super::models::UnitCircle;
 use super::plane::{Shape, enclosure_of};
+use super::sets::{Form, Sets};
 use crate::published::taylor::{Cross, consistent as taylor};
 use crate::published::{CgRep, mean_value};
 use crate::{Mode, ScenarioError};
@@ -56,7 +58,13 @@ pub fn published(workspace: &mut Workspace) -> Result<Vec<Shape>, ScenarioError>
     for (row, set, area, corollary_1, corollary_2) in cases {
         let enclosure = set.to_set()?;
         let hull = enclosure.interval_hull(workspace)?;
-        let shape = |method, mode, reference, set| Shape { row, method, mode, reference: Some(reference), set };
+        let shape = |method: &str, mode, reference, set| Shape {
+            row,
+            method: method.to_owned(),
+            mode,
+            reference: Some(reference),
+            set,
+        };
         shapes.push(shape("set", None, area, Enclosure::Constrained(enclosure)));
         let gamma = mean_value::c2(&set, &hull).ok_or(setrep::SetError::EmptySet)?;
         let first = enclosure_of(mean_value::consistent(&UnitCircle, &set, &hull, &gamma)?)?;
@@ -68,8 +76,26 @@ pub fn published(workspace: &mut Workspace) -> Result<Vec<Shape>, ScenarioError>
     Ok(shapes)
 }
 
-/// The hull of the circle.
-#[must_use]
-pub fn unit_box() -> IntervalVector {
-    IntervalVector::new(vec![Interval::ZERO.inflate(1.0); 2])
+/// What the methods of this library leave of both sets.
+///
+/// # Errors
+/// [`ScenarioError::Bound`] if a method fails.
+pub fn rigorous(workspace: &mut nonlin_bounds::Workspace) -> Result<Vec<Shape>, ScenarioError> {
+    let corners: [&[&[f64]]; 2] =
+        [&[&[1.7, 0.2], &[1.3, 0.2], &[0.9, -0.2], &[1.3, -0.2]], &[&[0.9, -0.2], &[1.0, -0.2], &[1.0, -0.1]]];
+    let mut shapes = Vec::new();
+    for ((row, set), corners) in [("X0", parallelogram()), ("X0 and box", boxed())].into_iter().zip(corners) {
+        let constrained = set.to_set()?;
+        // The rounding of the corners.
+        let vertices = VPolytope::with_remainder(Matrix::from_columns(corners)?, &[1e-15; 2])?;
+        let sets = Sets { zonotope: constrained.unconstrained().clone(), constrained, vertices };
+        for form in [Form::Constrained, Form::Vertices] {
+            for &method in Method::of_solutions(form) {
+                let set = method.solution(&UnitCircle, &sets, form, &[Interval::ZERO], workspace)?;
+                let method = method_name(method, form);
+                shapes.push(Shape { row, method, mode: Some(Mode::Rigorous), reference: None, set });
+            }
+        }
+    }
+    Ok(shapes)
 }

@@ -29,11 +29,7 @@ pub fn figure_1(
         Look::REFERENCE,
         images.iter().map(|image| (image[0].mid(), image[1].mid())),
     ));
-    for (k, set) in sets
-        .iter()
-        .filter(|set| set.shape.row != "gamma = middle of the hull" || set.shape.method != "czfo")
-        .enumerate()
-    {
+    for (k, set) in sets.iter().filter(|set| shown(set)).enumerate() {
         right = right.with(Series::outline(label(set), Look::nth(k + 1), pairs(&set.outline)));
     }
     let title = "Enclosures of the image of a triangle (paper 003: Figure 1)";
@@ -48,10 +44,19 @@ pub fn figure_4(sets: &[Measured]) -> Figure {
         .equal_aspect()
         .with(Series::line("|x| = 1", Look::REFERENCE, circle))
         .with(Series::line("box", Look::REFERENCE.dashed(1), [(1.0, -0.45), (1.0, 0.45)]));
-    for (k, set) in sets.iter().enumerate() {
+    let shown = |set: &&Measured| set.shape.mode != Some(Mode::Rigorous) || set.shape.method == "taylor/cz";
+    for (k, set) in sets.iter().filter(shown).enumerate() {
         panel = panel.with(Series::outline(label(set), Look::nth(k), pairs(&set.outline)));
     }
     Figure::new("figure-4", "A parallelogram refined by an invariant (paper 003: Figure 4)", 1).with(panel)
+}
+
+/// The sets of the paper's Figure 1 and a few beside them: all would hide each other.
+fn shown(set: &Measured) -> bool {
+    match set.shape.mode {
+        Some(Mode::Rigorous) => ["taylor/cz", "quadratic/cz", "polytopic/v"].contains(&&*set.shape.method),
+        _ => set.shape.method == "czmv" || set.shape.row != "gamma = middle of the hull",
+    }
 }
 
 fn pairs(outline: &[[f64; 2]]) -> impl Iterator<Item = (f64, f64)> + '_ {

@@ -14,7 +14,7 @@ pub struct Shape {
     /// What varies.
     pub row: &'static str,
     /// The method.
-    pub method: &'static str,
+    pub method: String,
     /// How it was run; none for sets that no method made.
     pub mode: Option<Mode>,
     /// The area that an independent computation of ours found.
@@ -50,10 +50,10 @@ impl Measured {
     /// Rows of a table: area, containment.
     #[must_use]
     pub fn rows(&self, table: &str, unit: &str) -> Vec<Row> {
-        let Shape { row, method, mode, .. } = self.shape;
+        let Shape { row, method, mode, .. } = &self.shape;
         let start = |metric: &str, unit: &str| {
-            let row = Row::new(table, row, method).metric(metric, unit);
-            if let Some(mode) = mode { row.mode(mode) } else { row }
+            let row = Row::new(table, *row, method.as_str()).metric(metric, unit);
+            if let Some(mode) = mode { row.mode(*mode) } else { row }
         };
         let mut rows = vec![start("area", unit).value(self.area)];
         if let Some((contained, proven)) = self.containment.shares() {

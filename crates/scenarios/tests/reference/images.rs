@@ -1,6 +1,8 @@
 //! Figures 1 and 4 of paper 003 and Theorem 2 of paper 004 against independent computations.
 
-use nonlin_bounds::{DynFunction, Function, Jet, Order, Workspace, polytopic_solution, polytopic_solution_lift};
+use nonlin_bounds::{
+    DynFunction, Expansion, Function, Jet, Order, Workspace, polytopic_solution, polytopic_solution_lift,
+};
 use scalars::{Interval, Scalar};
 use scenarios::images::plane::{Measured, Shape};
 use scenarios::images::{figure_1, figure_4, lemma_2, outline};
@@ -119,8 +121,9 @@ fn theorem_2_of_paper_004_is_the_lift_over_the_simplex() {
         let (a, b, whole) = (area(&lift), area(&literal), area(&set));
         assert!((a - b).abs() < 1e-9 && a < 0.9 * whole, "{a} {b} {whole}");
         let mut workspace = Workspace::new();
-        let equal = polytopic_solution_lift(&PlanarOutput, &set, &y, &q0, &[], &mut workspace).unwrap();
-        let cut = polytopic_solution(&PlanarOutput, &set, &y, &q0, &[], &mut workspace).unwrap();
+        let equal =
+            polytopic_solution_lift(&PlanarOutput, &set, &y, Expansion::HullCenter, &[], &mut workspace).unwrap();
+        let cut = polytopic_solution(&PlanarOutput, &set, &y, Expansion::HullCenter, &[], &mut workspace).unwrap();
         println!("{a} {} {}", area(&equal), area(&cut));
         assert!(area(&equal) < a + 1e-9 && area(&cut) < a + 1e-9);
     }

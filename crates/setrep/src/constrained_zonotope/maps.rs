@@ -1,6 +1,7 @@
 //! Images under a matrix and under an interval matrix.
 
 use scalars::Interval;
+use scalars::rounding::{add_up, mul_up};
 
 use super::ConstrainedZonotope;
 use crate::{IntervalMatrix, Matrix, Part, SetError, Workspace};
@@ -62,6 +63,41 @@ impl ConstrainedZonotope {
         SetError::check_size(Part::Interval, self.dim(), hull.len())?;
         self.body.interval_map_over(map, Some(hull), workspace)?;
         self.pad_constraints();
+        Ok(())
+    }
+
+    /// The CZ-inclusion of the paper: as [`interval_map_in_place`](Self::interval_map_in_place), with
+    /// `P_i = sum_k R_ik (|c_k| + sum_j |G_kj| + r_k)` of the set `<c, G, r>` that is left when all constraints are eliminated.
+    ///
+    /// No linear program, but never below the bound from the hull; for comparison with the paper.
+    ///
+    /// **Guarantee:** superset of `{ J x : J in [J], x in X }`.
+    /// **Source:** paper 003, Theorem 1.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`], [`SetError::ZeroDimension`], [`SetError::Overflow`]; the set is then unchanged.
+    pub fn interval_map_by_elimination_in_place(
+        &mut self,
+        map: &IntervalMatrix,
+        workspace: &mut Workspace,
+    ) -> Result<(), SetError> {
+        SetError::check_size(Part::Map, self.dim(), map.cols())?;
+        let mut free = self.clone();
+        free.eliminate_constraints(0, workspace)?;
+        let magnitudes: Vec<f64> = free.body.interval_hull().iter().map(Interval::mag).collect();
+        let mut spread = Vec::with_capacity(map.rows());
+        for row in 0..map.rows() {
+            let terms = magnitudes.iter().enumerate().map(|(k, &m)| mul_up(map.rad()[(row, k)], m));
+            let sum = terms.fold(0.0, add_up);
+            if !sum.is_finite() {
+                return Err(SetError::Overflow { row });
+            }
+            spread.push(sum);
+        }
+        let mut image = self.clone();
+        image.linear_map_in_place(map.mid(), workspace)?;
+        image.body.shift(&vec![0.0; map.rows()], &spread)?;
+        *self = image;
         Ok(())
     }
 }

@@ -2,14 +2,18 @@
 
 mod affine;
 mod cartesian_product;
+mod conversions;
+mod convex_hull;
 mod eliminate;
 mod emptiness;
 mod forms;
+mod inclusion;
 mod intersection;
 mod maps;
 mod membership;
 mod minkowski_sum;
 mod optimizer;
+mod projection;
 mod reduce;
 mod redundancy;
 mod reencode;
@@ -18,6 +22,7 @@ mod rows;
 mod score;
 
 pub use emptiness::{Contradiction, Emptiness};
+pub use inclusion::Containment;
 pub use optimizer::Optimizer;
 pub(crate) use optimizer::{prepared, refused};
 pub use reduce::Complexity;

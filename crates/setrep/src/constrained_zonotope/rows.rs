@@ -32,6 +32,20 @@ impl ConstrainedZonotope {
         bounded.then(|| clip(shifted, reach))
     }
 
+    /// Clips the ranges of new rows; makes the set its body if one of them has no finite bound.
+    pub(crate) fn settle_ranges(&mut self) -> Result<(), SetError> {
+        let settled = (0..self.ranges.len()).try_for_each(|i| {
+            let norm = self.row_norm(i)?;
+            self.ranges[i] = clip(self.ranges[i], norm);
+            if self.ranges[i].is_bounded() { Ok(()) } else { Err(SetError::Overflow { row: i }) }
+        });
+        if settled.is_err() {
+            self.ranges.clear();
+            self.constraints.reset(0, self.body.num_generators());
+        }
+        settled
+    }
+
     /// Gives the constraint matrix the zero columns of generators that were appended to the body.
     pub(super) fn pad_constraints(&mut self) {
         self.constraints.push_zero_cols(self.body.num_generators() - self.constraints.cols());

@@ -16,7 +16,10 @@ const ROUNDS: usize = 12;
 const SHRINKS: f64 = 0.25;
 
 /// Sizes of the frames in which multipliers are sought, over the sizes of the axes.
-const REACHES: [f64; 4] = [1024.0, 1e8, 1e15, 1e30];
+const REACHES: [f64; 5] = [32.0, 1e4, 1e8, 1e15, 1e30];
+
+/// Rows nearer to the origin than this share of the farthest say nothing about the size of the set.
+const NEAR: f64 = 1e-12;
 
 impl HPolytope {
     /// A box around the set, by linear programs: for many rows, where [`interval_hull`](Self::interval_hull) enumerates vertices.
@@ -69,7 +72,7 @@ impl HPolytope {
             let mut nonzeros = (0..n).filter(|&k| self.normals[(i, k)] != 0.0);
             if let (Some(k), None) = (nonzeros.next(), nonzeros.next()) {
                 let a = self.normals[(i, k)];
-                let end = div_up(offset, a.abs());
+                let end = if a.abs() == 1.0 { offset } else { div_up(offset, a.abs()) };
                 let side =
                     if a > 0.0 { Interval::new(f64::NEG_INFINITY, end) } else { Interval::new(-end, f64::INFINITY) };
                 hull[k] = hull[k].intersection(side.unwrap_or(Interval::ENTIRE));
@@ -78,11 +81,15 @@ impl HPolytope {
         hull
     }
 
-    /// Sizes of the axes: the geometric means of `|h_i / a_ik|` over `i`; 1 for an axis without nonzero ones.
+    /// Sizes of the axes: the geometric means of `|h_i / a_ik|` over the rows that are not near the origin against the others; 1 for an
+    /// axis without one.
     fn magnitudes(&self) -> Vec<f64> {
+        let distance = |i: usize| self.offsets[i].abs() / self.normal(i).fold(0.0, |m: f64, a| m.max(a.abs()));
+        let distances: Vec<f64> = (0..self.num_half_spaces()).map(distance).collect();
+        let near = NEAR * distances.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
         let mean = |column: &[f64]| {
-            let logarithms =
-                column.iter().zip(&self.offsets).map(|(a, h)| (h / a).abs().ln()).filter(|x| x.is_finite());
+            let far = column.iter().zip(&self.offsets).zip(&distances).filter(|(_, distance)| **distance > near);
+            let logarithms = far.map(|((a, h), _)| (h / a).abs().ln()).filter(|x| x.is_finite());
             let (sum, count) = logarithms.fold((0.0, 0_u32), |(sum, count), x| (sum + x, count + 1));
             if count == 0 { 1.0 } else { (sum / f64::from(count)).exp() }
         };

@@ -18,6 +18,10 @@
 //!    half-space contains the set, whatever rounding did to the normal.
 //! 4. *V cut by half-spaces* ([`VPolytope::intersection`]): the same method goes on from the vertices of `conv V` and its exact facets.
 //!
+//! What needs no vertices goes through linear programs instead, one for each question, certified by weak duality and made for a
+//! thousand rows: supports ([`HPolytope::optimizer`]), [`HPolytope::bounding_box`], [`HPolytope::chebyshev_ball`],
+//! [`HPolytope::drop_redundant`], [`HPolytope::enclosing`].
+//!
 //! Cost: the exact arithmetic is needed for degenerate inputs (more than `n` facets at a vertex, or points on a common facet) and
 //! for those within rounding of it; the filter decides the rest. Rounding makes degenerate inputs *nearly* degenerate: a
 //! `VPolytope` whose columns were rounded can have many facets of nearly the same normal, where the unrounded one had a single
@@ -29,6 +33,7 @@ mod bounding_box;
 mod chebyshev;
 mod clip;
 mod cone;
+mod enclosing;
 mod error_free;
 mod exact;
 mod facets;

@@ -6,7 +6,7 @@ const MAX_SWEEPS: usize = 20;
 /// Overwrites `vectors` (`n x n`, column-major) by approximate eigenvectors of the symmetric matrix `a`, which becomes nearly diagonal.
 ///
 /// Approximate: nothing rests on the result being exact; it is orthogonal to working precision.
-pub(super) fn eigenvectors(a: &mut [f64], n: usize, vectors: &mut Vec<f64>) {
+pub(crate) fn eigenvectors(a: &mut [f64], n: usize, vectors: &mut Vec<f64>) {
     vectors.clear();
     vectors.resize(n * n, 0.0);
     for i in 0..n {

@@ -12,6 +12,8 @@ mod method4;
 mod pca;
 mod selection;
 
+pub(crate) use jacobi::eigenvectors;
+
 use crate::{SetError, Workspace, Zonotope};
 
 /// Methods of order reduction.

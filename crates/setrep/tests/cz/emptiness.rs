@@ -12,7 +12,7 @@ use crate::member::constrained;
 fn sets_with_members_are_not_empty() {
     let mut workspace = Workspace::new();
     let mut proven = 0;
-    for case in 0..cases(2_000) {
+    for case in 0..cases(5_000) {
         let mut random = Random::new(SEED + 30, case);
         let (n, m, rows) = (random.between(1, 4), random.between(1, 8), random.between(0, 4));
         let (set, _) = constrained(&mut random, n, m, rows);
@@ -27,14 +27,14 @@ fn sets_with_members_are_not_empty() {
         }
         assert!(!set.is_proven_empty(&mut workspace).unwrap());
     }
-    assert!(proven > cases(2_000) / 3, "{proven}");
+    assert!(proven > cases(5_000) / 3, "{proven}");
 }
 
 /// Contradictions are found, their proofs verify, and prove nothing of the set without the contradiction.
 #[test]
 fn contradictions_are_proven() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(1_000) {
+    for case in 0..cases(2_500) {
         let mut random = Random::new(SEED + 31, case);
         let (n, m, rows) = (random.between(1, 4), random.between(1, 8), random.between(0, 4));
         let (set, _) = constrained(&mut random, n, m, rows);

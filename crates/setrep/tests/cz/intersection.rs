@@ -13,7 +13,7 @@ use crate::member::{around, assert_not_refuted, constrained, is_constrained_witn
 fn cuts_contain_exact_intersections() {
     let mut workspace = Workspace::new();
     let (mut stripped, mut narrow_cuts) = (0, 0);
-    for case in 0..cases(4_000) {
+    for case in 0..cases(10_000) {
         let mut random = Random::new(SEED + 10, case);
         let (n, m, rows) = (random.between(1, 4), random.between(0, 7), random.between(0, 3));
         let (set, member) = constrained(&mut random, n, m, rows);
@@ -56,7 +56,7 @@ fn cuts_contain_exact_intersections() {
 #[test]
 fn generalised_intersections_contain_exact_ones() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(3_000) {
+    for case in 0..cases(7_500) {
         let mut random = Random::new(SEED + 11, case);
         let (n, m, rows) = (random.between(1, 4), random.between(0, 6), random.between(0, 3));
         let (set, member) = constrained(&mut random, n, m, rows);

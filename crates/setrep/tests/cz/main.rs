@@ -11,7 +11,10 @@ mod common;
 
 mod allocations;
 mod bad_input;
+mod conversions;
 mod emptiness;
+mod hull_and_projection;
+mod inclusion;
 mod intersection;
 mod maps;
 mod member;

@@ -14,7 +14,7 @@ fn sizes(random: &mut Random) -> (usize, usize, usize) {
 
 #[test]
 fn linear_maps_contain_exact_images() {
-    for case in 0..cases(4_000) {
+    for case in 0..cases(10_000) {
         let mut random = Random::new(SEED, case);
         let (n, m, rows) = sizes(&mut random);
         let (set, member) = constrained(&mut random, n, m, rows);
@@ -33,7 +33,7 @@ fn linear_maps_contain_exact_images() {
 #[test]
 fn interval_maps_contain_exact_images() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(3_000) {
+    for case in 0..cases(7_500) {
         let mut random = Random::new(SEED + 1, case);
         let (n, m, rows) = sizes(&mut random);
         let (set, member) = constrained(&mut random, n, m, rows);
@@ -58,7 +58,7 @@ fn interval_maps_contain_exact_images() {
 
 #[test]
 fn sums_and_products_contain_exact_ones() {
-    for case in 0..cases(3_000) {
+    for case in 0..cases(7_500) {
         let mut random = Random::new(SEED + 2, case);
         let (n, m, rows) = sizes(&mut random);
         let (a, x) = constrained(&mut random, n, m, rows);
@@ -81,7 +81,7 @@ fn sums_and_products_contain_exact_ones() {
 
 #[test]
 fn translates_multiples_and_forms_contain_exact_ones() {
-    for case in 0..cases(2_000) {
+    for case in 0..cases(5_000) {
         let mut random = Random::new(SEED + 3, case);
         let (n, m, rows) = sizes(&mut random);
         let (set, member) = constrained(&mut random, n, m, rows);

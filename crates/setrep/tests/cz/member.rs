@@ -1,4 +1,6 @@
 //! Random constrained zonotopes with an exact member, and exact proofs of membership.
+// Each binary uses its own part.
+#![allow(dead_code)]
 
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Matrix, Membership, Workspace, Zonotope};

@@ -11,7 +11,7 @@ use crate::member::{assert_not_refuted, constrained};
 #[test]
 fn members_are_never_refuted() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(4_000) {
+    for case in 0..cases(10_000) {
         let mut random = Random::new(SEED + 20, case);
         let (n, m, rows) = (random.between(1, 4), random.between(0, 9), random.between(0, 5));
         let (set, member) = constrained(&mut random, n, m, rows);
@@ -25,7 +25,7 @@ fn members_are_never_refuted() {
 fn membership_decides_away_from_the_boundary() {
     let mut workspace = Workspace::new();
     let (mut inside, mut outside, mut asked) = (0, 0, 0);
-    for case in 0..cases(1_000) {
+    for case in 0..cases(2_500) {
         let mut random = Random::new(SEED + 21, case);
         let (n, m) = (random.between(1, 3), random.between(5, 9));
         // Of full dimension: flat sets have no room.

@@ -14,7 +14,7 @@ const METHODS: [Reduction; 4] = [Reduction::Method4, Reduction::Girard, Reductio
 #[test]
 fn eliminations_contain_the_set() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(3_000) {
+    for case in 0..cases(7_500) {
         let mut random = Random::new(SEED + 50, case);
         let (n, m, rows) = (random.between(1, 4), random.between(0, 8), random.between(1, 5));
         let (set, member) = constrained(&mut random, n, m, rows);
@@ -30,7 +30,7 @@ fn eliminations_contain_the_set() {
 #[test]
 fn reductions_contain_the_set_within_the_limit() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(4_000) {
+    for case in 0..cases(10_000) {
         let mut random = Random::new(SEED + 51, case);
         let (n, m, rows) = (random.between(1, 4), random.between(0, 12), random.between(0, 5));
         let (set, member) = constrained(&mut random, n, m, rows);
@@ -136,7 +136,7 @@ fn degenerate_sets_reduce() {
 #[test]
 fn one_elimination_has_an_exact_witness() {
     let mut workspace = Workspace::new();
-    let (mut stripped, total) = (0, cases(2_000));
+    let (mut stripped, total) = (0, cases(5_000));
     for case in 0..total {
         let mut random = Random::new(SEED + 53, case);
         let (n, m, rows) = (random.between(1, 3), 8, random.between(1, 2));

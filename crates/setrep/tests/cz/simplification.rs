@@ -12,7 +12,7 @@ use crate::member::{assert_not_refuted, constrained};
 fn simplifications_keep_the_set() {
     let mut workspace = Workspace::new();
     let (mut rows_dropped, mut columns_dropped) = (0, 0);
-    for case in 0..cases(3_000) {
+    for case in 0..cases(7_500) {
         let mut random = Random::new(SEED + 40, case);
         let (n, m, rows) = (random.between(1, 4), random.between(0, 8), random.between(0, 5));
         let (set, member) = constrained(&mut random, n, m, rows);

@@ -12,7 +12,7 @@ use crate::member::constrained;
 #[test]
 fn typed_cuts_are_the_cuts_by_rows() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(500) {
+    for case in 0..cases(1_250) {
         let mut random = Random::new(SEED + 60, case);
         let n = random.between(1, 4);
         let (m, count) = (random.between(0, 6), random.between(1, 4));

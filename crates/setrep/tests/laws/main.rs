@@ -6,6 +6,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod set_laws;
 mod support_functions;
 
 use common::random::{Random, cases};

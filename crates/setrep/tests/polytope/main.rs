@@ -12,6 +12,7 @@ mod bad_input;
 mod containment;
 mod conversions;
 mod degenerate;
+mod enclosing;
 mod fixtures;
 mod known_polytopes;
 mod membership;

@@ -1,7 +1,7 @@
 //! Directions in which a set is kept tight from one re-encoding to the next.
 
 use crate::constrained_zonotope::score::{factorise, solve};
-use crate::{Matrix, Part, SetError, Workspace};
+use crate::{ConstrainedZonotope, Matrix, Part, SetError, Workspace};
 
 /// Weight that keeps singular maps invertible, beside rows of length 1.
 const WEIGHT: f64 = 1e-13;
@@ -110,6 +110,23 @@ impl Directions {
         SetError::check_finite(Part::Direction, rows.rows(), rows.as_slice())?;
         for i in 0..rows.rows() {
             self.entries.extend((0..rows.cols()).map(|k| rows.col(k)[i]));
+        }
+        Ok(())
+    }
+
+    /// Appends a direction for every constraint of a set: the `d` of least squares with `d'G` near `A_i`, whose half-spaces bound the
+    /// set where the constraint does. Approximate.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`].
+    pub fn push_constraints(&mut self, set: &ConstrainedZonotope, workspace: &mut Workspace) -> Result<(), SetError> {
+        SetError::check_size(Part::Direction, self.dim, set.dim())?;
+        let mut rows = Self::new(set.num_generators());
+        rows.push_rows(set.constraints())?;
+        // G = 0 x 0 has no rows to carry.
+        if !rows.is_empty() {
+            rows.transport(set.generators(), workspace)?;
+            self.entries.append(&mut rows.entries);
         }
         Ok(())
     }

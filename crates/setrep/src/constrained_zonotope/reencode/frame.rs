@@ -68,6 +68,35 @@ impl Frame {
         Ok(())
     }
 
+    /// Makes a frame whose rows are about the given directions (at most `n`), completed by axes in the given units; the axes if they
+    /// are nearly dependent.
+    ///
+    /// Starting from the axes, each direction `d = sum_k (d'T_k) f_k` takes the place of the row with the largest coefficient.
+    pub(super) fn follow<'a>(&mut self, directions: impl Iterator<Item = &'a [f64]>, units: &[f64]) {
+        let n = units.len();
+        self.axes(units);
+        let mut free = vec![true; n];
+        for d in directions.take(n) {
+            let coefficients: Vec<f64> =
+                self.columns.chunks_exact(n).map(|t| t.iter().zip(d).map(|(t, d)| t * d).sum()).collect();
+            let size = |k: &usize| coefficients[*k].abs();
+            let Some(k) = (0..n).filter(|&k| free[k]).max_by(|k, l| size(k).total_cmp(&size(l))) else { break };
+            if size(&k) > 0.0 {
+                free[k] = false;
+                for i in 0..n {
+                    let pivot = self.columns[k * n + i] / coefficients[k];
+                    for j in (0..n).filter(|&j| j != k) {
+                        self.columns[j * n + i] -= coefficients[j] * pivot;
+                    }
+                    self.columns[k * n + i] = pivot;
+                }
+            }
+        }
+        if !self.invert(units) {
+            self.axes(units);
+        }
+    }
+
     /// Whether `|I - T F| mag` is small beside the hull's radii.
     pub(super) fn is_accurate(&self, magnitudes: &[f64], radii: &[f64]) -> bool {
         (0..radii.len()).all(|i| self.residual_row(i, magnitudes) <= MAX_RESIDUAL * radii[i])

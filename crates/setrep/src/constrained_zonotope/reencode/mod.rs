@@ -15,6 +15,7 @@ mod choice;
 mod directions;
 mod frame;
 mod one_row;
+mod parallelotopes;
 
 pub use directions::Directions;
 use frame::{Frame, power_of_two};
@@ -60,6 +61,15 @@ pub enum TemplateWidths {
     SingleRows,
     /// Over all rows together: two linear programs a candidate and row.
     LinearPrograms,
+}
+
+/// Where a frame comes from.
+#[derive(Debug, Clone, Copy)]
+enum Source<'a> {
+    /// The parallelotope of Method 4.
+    Method4,
+    /// Given rows, completed by axes.
+    Along(&'a [&'a [f64]]),
 }
 
 /// Buffers of a re-encoding.
@@ -129,7 +139,7 @@ impl ConstrainedZonotope {
             // About the origin, so that the place of the set costs no accuracy.
             scratch.center.clone_from(&draft.body.center);
             draft.body.center.fill(0.0);
-            if scratch.measure(draft, directions, workspace)? {
+            if scratch.measure(draft, Source::Method4, directions, workspace)? {
                 draft.become_parallelotope(&scratch)?;
                 draft.add_rows(options, &mut scratch, workspace)?;
             } else {
@@ -184,7 +194,7 @@ impl ConstrainedZonotope {
     }
 
     /// The empty set if a constraint is allowed to say so, a point otherwise.
-    fn become_empty(&mut self, constraints: usize) {
+    pub(super) fn become_empty(&mut self, constraints: usize) {
         self.body.generators.reset(self.body.center.len(), 0);
         self.body.remainder.fill(0.0);
         self.constraints.reset(0, 0);
@@ -201,6 +211,7 @@ impl Scratch {
     fn measure(
         &mut self,
         set: &ConstrainedZonotope,
+        source: Source<'_>,
         directions: &Directions,
         workspace: &mut Workspace,
     ) -> Result<bool, SetError> {
@@ -214,7 +225,10 @@ impl Scratch {
         self.units.extend(self.radii.iter().map(|&r| power_of_two(r)));
         self.extents.clear();
         self.extents.extend(self.radii.iter().zip(&self.center).map(|(r, c)| r + c.abs()));
-        self.frame.enclose(set, &self.units, workspace)?;
+        match source {
+            Source::Method4 => self.frame.enclose(set, &self.units, workspace)?,
+            Source::Along(rows) => self.frame.follow(rows.iter().copied(), &self.units),
+        }
         self.hull.clear();
         self.hull.resize(n, Interval::EMPTY);
         let mut optimizer = set.optimizer(workspace)?;

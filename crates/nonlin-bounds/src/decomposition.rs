@@ -1,0 +1,169 @@
+//! Remainder-form decomposition over the generators of a set.
+//!
+//! On a box of coordinates `zeta` in `[-1, 1]^k` with `x = c + T zeta`, and for shifts `m` that make `g = f_i(c + T zeta) - m'zeta` monotone in
+//! every coordinate, `g` lies between its values at two opposite corners: `f_i` in `m'zeta + [g(zl), g(zu)]`. Two frames `T` are tried, the
+//! generators of the set (`zeta = xi`, the corners may lie outside of a constrained set) and the axes of its hull (`zeta` linear in `x`), each with
+//! several choices of signs, and the row whose residual is narrowest is kept.
+
+use scalars::Interval;
+use scalars::rounding::add_up;
+use setrep::{ConstrainedZonotope, IntervalVector, Matrix, SetError};
+
+use crate::directional::Directional;
+use crate::signs::{Purpose, Signs};
+use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
+
+/// Rows over the generators of a set: `f_i(x)` lies in `rows_i xi + residuals_i` for every point `x = c + G xi + e` of `set` in its hull.
+pub(crate) struct Decomposition {
+    /// The set with a remainder of model size turned into generators, and rescaled.
+    pub(crate) set: ConstrainedZonotope,
+    /// Its interval hull.
+    pub(crate) hull: IntervalVector,
+    /// The rows, `m x ng`.
+    pub(crate) rows: Matrix,
+    /// The residuals.
+    pub(crate) residuals: Vec<Interval>,
+}
+
+/// A remainder above this share of the hull is model-sized and becomes generators.
+const MODEL_SIZE: f64 = 1e-9;
+
+impl Decomposition {
+    /// Decomposes `f` over a set.
+    pub(crate) fn of(
+        f: &dyn DynFunction,
+        set: &ConstrainedZonotope,
+        p: &[Interval],
+        workspace: &mut Workspace,
+    ) -> Result<Self, BoundError> {
+        BoundError::check_size(Operand::Variables, f.variables(), set.dim())?;
+        BoundError::check_size(Operand::Parameters, f.parameters(), p.len())?;
+        BoundError::check_box(Operand::Parameters, p)?;
+        let hull = set.interval_hull(&mut workspace.sets)?;
+        if hull.iter().any(Interval::is_empty) {
+            return Err(SetError::EmptySet.into());
+        }
+        BoundError::check_box(Operand::Hull, &hull)?;
+        let mut set = set.clone();
+        if set.remainder().iter().zip(hull.iter()).any(|(&r, side)| r > MODEL_SIZE * side.rad()) {
+            set.materialize();
+        }
+        set.rescale(&mut workspace.sets)?;
+
+        let middle: Vec<f64> = hull.iter().map(Interval::mid).collect();
+        let over_hull = Directional::over(f, &hull, &middle, p)?;
+        BoundError::check_smooth(&over_hull.over, Smoothness::C1)?;
+        // Outside of the hull, where the generators of a constrained set reach, the function may not be smooth: then they give no rows.
+        let over_body = Directional::over(f, &set.unconstrained().interval_hull(), set.center(), p).ok();
+        let m = f.outputs();
+        let mut rows = Matrix::zeros(m, set.num_generators());
+        let mut residuals = Vec::with_capacity(m);
+        let mut search =
+            Search { f, p, set: &set, hull: &hull, i: 0, signs: Signs::default(), jet: Jet::new(), best: None };
+        for i in 0..m {
+            (search.i, search.best) = (i, None);
+            search.over_axes(&over_hull.along_axes(i, &hull, &middle))?;
+            if let Some(body) = over_body.as_ref().filter(|body| body.over.smoothness()[i] >= Smoothness::C1) {
+                search.over_generators(&body.along_generators(i, &set))?;
+            }
+            let (row, residual) = search.best.take().ok_or(BoundError::UnboundedResult { output: i })?;
+            row.iter().enumerate().for_each(|(j, &entry)| rows[(i, j)] = entry);
+            residuals.push(residual);
+        }
+        Ok(Self { set, hull, rows, residuals })
+    }
+}
+
+/// The search for the best row of one output.
+struct Search<'a> {
+    f: &'a dyn DynFunction,
+    p: &'a [Interval],
+    set: &'a ConstrainedZonotope,
+    hull: &'a [Interval],
+    i: usize,
+    signs: Signs,
+    jet: Jet,
+    best: Option<(Vec<f64>, Interval)>,
+}
+
+impl Search<'_> {
+    /// Rows over the axes of the hull: `f_i(x)` in `m'(x - c) + [g]` on the hull, then `x - c = G xi + e`.
+    fn over_axes(&mut self, slopes: &[Interval]) -> Result<(), BoundError> {
+        let (hull, center) = (self.hull, self.set.center());
+        self.signs.plan(Purpose::Rows, slopes.iter().copied(), |k| hull[k].width());
+        for choice in 0..self.signs.choices() {
+            self.signs.choose(choice);
+            let signs = &self.signs;
+            let corner = |low: bool| {
+                let at = |k: usize| if signs.rises(k) == low { hull[k].lo() } else { hull[k].hi() };
+                (0..hull.len()).map(|k| Interval::point(at(k))).collect::<Vec<_>>()
+            };
+            let (low, high) = (corner(true), corner(false));
+            let linear = |corner: &[Interval]| {
+                (0..hull.len())
+                    .fold(Interval::ZERO, |sum, k| sum + (corner[k].add_f64(-center[k])).scale(signs.shift(k)))
+            };
+            let (below, above) = (linear(&low), linear(&high));
+            let shifts: Vec<f64> = (0..hull.len()).map(|k| signs.shift(k)).collect();
+            let (low, high) = (self.value(&low)?, self.value(&high)?);
+            let residual = Signs::between(low - below, high - above, 0.0);
+            self.offer_combination(&shifts, residual);
+        }
+        Ok(())
+    }
+
+    /// Rows over the generators. A remainder of rounding size widens the corners.
+    fn over_generators(&mut self, slopes: &[Interval]) -> Result<(), BoundError> {
+        let generators = self.set.generators();
+        self.signs.plan(Purpose::Rows, slopes.iter().copied(), |_| 2.0);
+        for choice in 0..self.signs.choices() {
+            self.signs.choose(choice);
+            let signs = &self.signs;
+            let corner = |low: bool| {
+                let mut x: Vec<Interval> = self.set.center().iter().map(|&c| Interval::point(c)).collect();
+                for (j, column) in generators.columns().enumerate() {
+                    let sign = if signs.rises(j) == low { -1.0 } else { 1.0 };
+                    x.iter_mut().zip(column).for_each(|(x, &g)| *x = x.add_f64(sign * g));
+                }
+                x.iter().zip(self.set.remainder()).map(|(x, &r)| x.inflate(r)).collect::<Vec<_>>()
+            };
+            let (low, high) = (corner(true), corner(false));
+            // m'zl = -s and m'zu = s.
+            let sign = |j: usize| if signs.rises(j) { 1.0 } else { -1.0 };
+            let row: Vec<f64> = (0..generators.cols()).map(|j| signs.shift(j)).collect();
+            let s = row.iter().enumerate().fold(Interval::ZERO, |sum, (j, &m)| sum.add_f64(sign(j) * m));
+            let (low, high) = (self.value(&low)?, self.value(&high)?);
+            self.offer(row, Signs::between(low + s, high - s, 0.0));
+        }
+        Ok(())
+    }
+
+    /// The output at a corner.
+    fn value(&mut self, at: &[Interval]) -> Result<Interval, BoundError> {
+        self.f.enclose(Order::Value, at, self.p, &mut self.jet)?;
+        Ok(self.jet.values()[self.i])
+    }
+
+    /// Offers `m'(x - c) + residual` as a row over the generators.
+    fn offer_combination(&mut self, shifts: &[f64], residual: Interval) {
+        let mut rounding = 0.0;
+        let mut row = Vec::with_capacity(self.set.num_generators());
+        for column in self.set.generators().columns() {
+            let terms = shifts.iter().zip(column).filter(|(_, g)| **g != 0.0);
+            let entry = terms.fold(Interval::ZERO, |sum, (&m, &g)| sum + Interval::point(g).scale(m));
+            row.push(entry.mid());
+            rounding = add_up(rounding, entry.rad());
+        }
+        let remainder = shifts.iter().zip(self.set.remainder());
+        let spread = remainder.fold(Interval::ZERO, |sum, (&m, &r)| sum + Interval::ZERO.inflate(r).scale(m));
+        self.offer(row, (residual + spread).inflate(rounding));
+    }
+
+    /// Keeps a row if it is finite and its residual is the narrowest so far.
+    fn offer(&mut self, row: Vec<f64>, residual: Interval) {
+        let finite = residual.is_bounded() && row.iter().all(|entry| entry.is_finite());
+        if finite && self.best.as_ref().is_none_or(|(_, best)| residual.width() < best.width()) {
+            self.best = Some((row, residual));
+        }
+    }
+}
