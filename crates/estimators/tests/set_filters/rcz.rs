@@ -10,20 +10,20 @@ use crate::support::{Random, cases};
 fn check(filter: &Rcz, x: &[f64], what: &str) {
     let point: Vec<_> = x.iter().map(|&x| scalars::Interval::point(x).inflate(1e-12)).collect();
     assert!(filter.hull().iter().zip(&point).all(|(side, x)| !side.disjoint(x)), "{what}: {:?} {x:?}", filter.hull());
-    let member = filter.enclosure().membership(&point, &mut setrep::Workspace::new()).unwrap();
+    let member = filter.enclosure().membership(&point, &mut setrep::Workspace::new()).expect("well-formed");
     assert_ne!(member, Membership::ProvenOutside, "{what}");
 }
 
 /// Mean radius over the steps of example 5.1.
 fn planar_radius(options: RczOptions, draw: Draw, random: &mut Random) -> f64 {
-    let mut filter = Rcz::new(planar(), planar_start(), options).unwrap();
+    let mut filter = Rcz::new(planar(), planar_start(), options).expect("well-formed");
     let run = planar_run(draw, 10, random);
     let mut sum = 0.0;
     for (k, (x, y)) in run.iter().enumerate() {
         if k > 0 {
-            filter.predict(&[]).unwrap();
+            filter.predict(&[]).expect("well-formed");
         }
-        filter.update(y).unwrap();
+        filter.update(y).expect("well-formed");
         check(&filter, x, "planar");
         sum += radius(filter.hull());
     }
@@ -44,15 +44,15 @@ fn planar_example_is_as_tight_as_the_linearised_optimum() {
 
 /// Radii of the hulls of example 5.2.
 fn attitude_radii(noise: f64, draw: Draw, steps: usize, options: RczOptions, random: &mut Random) -> Vec<f64> {
-    let mut filter = Rcz::new(attitude(noise), attitude_start(), options).unwrap();
+    let mut filter = Rcz::new(attitude(noise), attitude_start(), options).expect("well-formed");
     assert_eq!(filter.guarantee(), Guarantee::Rigorous);
     let run = attitude_run(noise, draw, steps, random);
     let mut radii = Vec::new();
     for (k, (x, y, _)) in run.iter().enumerate() {
         if k > 0 {
-            filter.predict(&run[k - 1].2).unwrap();
+            filter.predict(&run[k - 1].2).expect("well-formed");
         }
-        filter.update(y).unwrap();
+        filter.update(y).expect("well-formed");
         check(&filter, x, "attitude");
         radii.push(radius(filter.hull()));
     }
@@ -95,11 +95,11 @@ fn an_outlier_is_a_proven_contradiction_and_leaves_the_filter_as_it_was() {
     let mut random = Random::new(54);
     let (mut proven, mut total) = (0, 0);
     for _ in 0..10 {
-        let mut filter = Rcz::new(attitude(0.15), attitude_start(), RczOptions::fast(4)).unwrap();
+        let mut filter = Rcz::new(attitude(0.15), attitude_start(), RczOptions::fast(4)).expect("well-formed");
         let run = attitude_run(0.15, Draw::Uniform, 12, &mut random);
         for (k, (_, y, _)) in run.iter().enumerate() {
             if k > 0 {
-                filter.predict(&run[k - 1].2).unwrap();
+                filter.predict(&run[k - 1].2).expect("well-formed");
             }
             let mut wrong = y.clone();
             let i = random.below(6);
@@ -114,10 +114,10 @@ fn an_outlier_is_a_proven_contradiction_and_leaves_the_filter_as_it_was() {
                     assert_eq!(filter.state(), &before);
                     proven += 1;
                 } else {
-                    filter.restore(&before).unwrap();
+                    filter.restore(&before).expect("well-formed");
                 }
             }
-            filter.update(y).unwrap();
+            filter.update(y).expect("well-formed");
         }
     }
     println!("{proven} of {total} outliers proven");
