@@ -1,8 +1,11 @@
 //! What can go wrong in a filter, with the numbers that say where.
 
 use lie_groups::GroupError;
+use nonlin_bounds::BoundError;
 use setrep::SetError;
 use thiserror::Error;
+
+use crate::Inconsistency;
 
 /// Error of a filter or a gain. A filter that returns one is left as it was before the call.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -28,6 +31,17 @@ pub enum EstimatorError {
         /// The size it has.
         found: usize,
     },
+    /// A range that no value can have.
+    #[error("{what}: range {index} is empty")]
+    EmptyRange {
+        /// The argument.
+        what: &'static str,
+        /// Position of the range.
+        index: usize,
+    },
+    /// Measurements, invariants and bounds contradict each other, with proof. The filter keeps its predicted set.
+    #[error("{0}")]
+    Inconsistent(Box<Inconsistency>),
     /// A noise set or an initial error set has a center other than 0: move it into the input, the output or the estimate.
     #[error("{what}: center entry {index} is {value}, not 0")]
     NotCentered {
@@ -101,6 +115,9 @@ pub enum EstimatorError {
     /// Placed poles are those of `A - L C` over a whole step; an update alone does not know `A`.
     #[error("pole placement needs the input of the step: use step, not update alone")]
     GainNeedsInput,
+    /// A function could not be enclosed.
+    #[error(transparent)]
+    Bound(#[from] BoundError),
     /// A set operation refused its input.
     #[error(transparent)]
     Set(#[from] SetError),

@@ -42,13 +42,19 @@ mod error;
 mod error_set;
 mod estimator;
 pub mod gain;
+mod inconsistency;
 mod inzsmf;
+mod rcz;
+mod system;
 mod zsmf;
 
 pub use error::EstimatorError;
 pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
+pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
+pub use rcz::{Rcz, RczOptions, RczState, Tier};
+pub use system::{Invariant, Relation, System};
 pub use zsmf::{Model, Zsmf};
 
 /// The README's example is a doctest.

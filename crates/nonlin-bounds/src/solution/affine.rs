@@ -13,6 +13,7 @@ use crate::{AffineEnclosure, BoundError, DynFunction, Expansion, Form, Operand, 
 pub struct Rows {
     directions: Matrix,
     ranges: Vec<Interval>,
+    outputs: Vec<usize>,
 }
 
 impl Rows {
@@ -32,6 +33,12 @@ impl Rows {
     #[must_use]
     pub fn ranges(&self) -> &[Interval] {
         &self.ranges
+    }
+
+    /// The output that each row comes from.
+    #[must_use]
+    pub fn outputs(&self) -> &[usize] {
+        &self.outputs
     }
 
     /// The rows one by one, for sets that are cut by strips.
@@ -108,8 +115,10 @@ impl AffineEnclosure {
         };
         rows.ranges.clear();
         rows.ranges.extend((0..self.outputs()).filter_map(says));
+        rows.outputs.clear();
+        rows.outputs.extend((0..self.outputs()).filter(|&i| says(i).is_some()));
         rows.directions.reset(rows.ranges.len(), states);
-        for (row, i) in (0..self.outputs()).filter(|&i| says(i).is_some()).enumerate() {
+        for (row, &i) in rows.outputs.iter().enumerate() {
             for k in 0..states {
                 rows.directions[(row, k)] = self.jacobian[(i, k)];
             }

@@ -21,6 +21,7 @@ pub enum Emptiness {
 /// Proof that constraints contradict each other: multipliers `y` of the rows with `sum_i max(y_i lo_i, y_i hi_i) + |A'y|_1 < 0`,
 /// whereas any `|xi| <= 1` with `A xi in [b]` would give `0 <=` that sum.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contradiction {
     multipliers: Vec<(usize, f64)>,
 }

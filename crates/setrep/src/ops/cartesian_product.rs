@@ -1,6 +1,6 @@
 //! Cartesian product `X x Y = { (x, y) : x in X, y in Y }`.
 
-use crate::{Matrix, Zonotope};
+use crate::Zonotope;
 
 impl Zonotope {
     /// Cartesian product of two zonotopes.
@@ -18,18 +18,22 @@ impl Zonotope {
     /// ```
     #[must_use]
     pub fn cartesian_product(&self, other: &Self) -> Self {
+        let mut product = self.clone();
+        product.product_assign(other);
+        product
+    }
+
+    /// [`cartesian_product`](Self::cartesian_product) in place; allocates nothing within the capacity of the set.
+    ///
+    /// **Guarantee:** exact.
+    pub fn product_assign(&mut self, other: &Self) {
         let (n, left) = (self.dim(), self.num_generators());
-        let mut generators = Matrix::zeros(n + other.dim(), left + other.num_generators());
-        for (j, column) in self.generators.columns().enumerate() {
-            generators.col_mut(j)[..n].copy_from_slice(column);
-        }
+        self.center.extend_from_slice(&other.center);
+        self.remainder.extend_from_slice(&other.remainder);
+        self.generators.push_zero_rows(other.dim());
+        self.generators.push_zero_cols(other.num_generators());
         for (j, column) in other.generators.columns().enumerate() {
-            generators.col_mut(left + j)[n..].copy_from_slice(column);
-        }
-        Self {
-            center: [self.center.as_slice(), &other.center].concat(),
-            generators,
-            remainder: [self.remainder.as_slice(), &other.remainder].concat(),
+            self.generators.col_mut(left + j)[n..].copy_from_slice(column);
         }
     }
 }

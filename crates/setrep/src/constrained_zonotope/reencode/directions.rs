@@ -23,7 +23,8 @@ const WEIGHT: f64 = 1e-13;
 /// assert!((carried[0] - 0.5).abs() < 1e-12 && (carried[1] - 0.5).abs() < 1e-12);
 /// # Ok::<(), setrep::SetError>(())
 /// ```
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "Parts"))]
 pub struct Directions {
     dim: usize,
     /// Direction after direction.
@@ -63,6 +64,22 @@ impl Directions {
     /// Forgets all directions, and keeps their memory.
     pub fn clear(&mut self) {
         self.entries.clear();
+    }
+
+    /// Forgets all directions and keeps their memory, for a space of dimension `n`.
+    pub fn reset(&mut self, dim: usize) {
+        self.dim = dim;
+        self.entries.clear();
+    }
+
+    /// Appends the directions of another list.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`].
+    pub fn append(&mut self, other: &Self) -> Result<(), SetError> {
+        SetError::check_size(Part::Direction, self.dim, other.dim)?;
+        self.entries.extend_from_slice(&other.entries);
+        Ok(())
     }
 
     /// Becomes the chosen of the `candidates`, which follow each other.
@@ -167,5 +184,37 @@ impl Directions {
         self.dim = p;
         core::mem::swap(&mut self.entries, carried);
         Ok(())
+    }
+}
+
+/// Reuses the storage of the target in `clone_from`.
+impl Clone for Directions {
+    fn clone(&self) -> Self {
+        Self { dim: self.dim, entries: self.entries.clone() }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.dim = source.dim;
+        self.entries.clone_from(&source.entries);
+    }
+}
+
+/// What is stored of directions; reading them back checks that they are whole and finite.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+struct Parts {
+    dim: usize,
+    entries: Vec<f64>,
+}
+
+#[cfg(feature = "serde")]
+impl TryFrom<Parts> for Directions {
+    type Error = SetError;
+
+    fn try_from(parts: Parts) -> Result<Self, SetError> {
+        let mut directions = Self::new(parts.dim);
+        let whole = parts.entries.chunks(parts.dim.max(1));
+        whole.into_iter().try_for_each(|direction| directions.push(direction))?;
+        Ok(directions)
     }
 }

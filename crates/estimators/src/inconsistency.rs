@@ -1,0 +1,104 @@
+//! [`Inconsistency`]: a proof that measurements, invariants and bounds contradict each other.
+
+use std::fmt;
+
+use scalars::Interval;
+use setrep::{ConstrainedZonotope, Contradiction};
+
+/// What takes part in a contradiction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Culprit {
+    /// An entry of the measurement of this step.
+    Measurement(usize),
+    /// An entry of the invariant.
+    Invariant(usize),
+    /// The set before the update: the model, its noise bounds and all that was measured before.
+    Prediction,
+}
+
+impl fmt::Display for Culprit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Measurement(index) => write!(f, "measurement {index}"),
+            Self::Invariant(index) => write!(f, "invariant {index}"),
+            Self::Prediction => f.write_str("prediction"),
+        }
+    }
+}
+
+/// What proves that no state is left.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Evidence {
+    /// Two enclosures of one quantity that have no point in common.
+    Disjoint {
+        /// Where the prediction puts it.
+        predicted: Interval,
+        /// Where the measurement or the invariant puts it.
+        required: Interval,
+    },
+    /// Interval propagation of measurement and invariant over this box of states left nothing: the contractor run again shows it.
+    Propagation {
+        /// The box.
+        hull: Vec<Interval>,
+    },
+    /// Multipliers of the constraints of a set that prove it empty; [`Contradiction::verify`] checks them again.
+    Rows {
+        /// The set that is empty: the prediction with the rows of the update.
+        set: Box<ConstrainedZonotope>,
+        /// The multipliers.
+        certificate: Contradiction,
+    },
+}
+
+/// A proven contradiction. The filter that reports it keeps its predicted set.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Inconsistency {
+    /// Number of predictions so far.
+    pub step: u64,
+    /// What contradicts each other, in order; those without a part in the proof are left out.
+    pub culprits: Vec<Culprit>,
+    /// The proof.
+    pub evidence: Evidence,
+}
+
+impl Inconsistency {
+    /// By how much the contradiction is missed: the distance of the two intervals, or how far every point is from the range of some row of
+    /// 1-norm 1. Positive for these proofs; 0 where propagation found it, which measures nothing.
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        match &self.evidence {
+            Evidence::Disjoint { predicted, required } => {
+                (required.lo() - predicted.hi()).max(predicted.lo() - required.hi())
+            }
+            Evidence::Propagation { .. } => 0.0,
+            Evidence::Rows { set, certificate } => certificate.miss(set),
+        }
+    }
+
+    /// Checks the proof again, from the data it carries; false for [`Evidence::Propagation`], which needs the system as well.
+    ///
+    /// **Guarantee:** true only for a proof.
+    #[must_use]
+    pub fn verify(&self) -> bool {
+        match &self.evidence {
+            Evidence::Disjoint { predicted, required } => predicted.disjoint(required),
+            Evidence::Propagation { .. } => false,
+            Evidence::Rows { set, certificate } => certificate.verify(set),
+        }
+    }
+}
+
+impl fmt::Display for Inconsistency {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "step {}: ", self.step)?;
+        for (k, culprit) in self.culprits.iter().enumerate() {
+            write!(f, "{}{culprit}", if k == 0 { "" } else { ", " })?;
+        }
+        write!(f, " contradict the bounds by {:e}", self.margin())
+    }
+}

@@ -1,0 +1,94 @@
+//! Correction: the part of the set that measurements and invariants leave.
+
+use scalars::Interval;
+use setrep::ConstrainedZonotope;
+
+use super::contradiction;
+use super::equation::Equation;
+use super::options::RczOptions;
+use super::scratch::{Scratch, store};
+use super::state::RczState;
+use crate::{Culprit, EstimatorError};
+
+/// Cuts a state with equations, all of them together.
+///
+/// Up to `options.passes` times: propagate the hull through the tapes; enclose the functions by affine ones with remainders on
+/// the hull; cut the **predicted** set with their rows, which replace those of the pass before; take the hull of the result. Rows made
+/// over a hull hold for every consistent state, since all of these lie in it, so each pass may use the hull of the last.
+pub(super) fn correct(
+    equations: &[Equation<'_>],
+    options: &RczOptions,
+    state: &mut RczState,
+    scratch: &mut Scratch,
+) -> Result<(), EstimatorError> {
+    let mut slots = (core::mem::take(&mut scratch.base), core::mem::take(&mut scratch.trial));
+    let base = store(&mut slots.0, &state.set);
+    base.materialize();
+    let trial = store(&mut slots.1, base);
+    let result = passes(equations, options, base, trial, state, scratch);
+    if result.is_ok() {
+        core::mem::swap(&mut state.set, trial);
+    }
+    (scratch.base, scratch.trial) = slots;
+    result
+}
+
+fn passes(
+    equations: &[Equation<'_>],
+    options: &RczOptions,
+    base: &ConstrainedZonotope,
+    trial: &mut ConstrainedZonotope,
+    state: &mut RczState,
+    scratch: &mut Scratch,
+) -> Result<(), EstimatorError> {
+    for pass in 1..=options.passes.max(1) {
+        let mut before = core::mem::take(&mut scratch.before);
+        before.clone_from(&state.hull);
+        let result = one_pass(equations, options, base, trial, state, scratch);
+        let shrunk = |(new, old): (&Interval, &Interval)| new.rad() <= (1.0 - options.least_shrink) * old.rad();
+        let go_on = state.hull.iter().zip(&before).any(shrunk);
+        scratch.before = before;
+        result?;
+        if !go_on || pass == options.passes {
+            break;
+        }
+    }
+    state.directions.append(&scratch.directions)?;
+    Ok(())
+}
+
+/// One pass over the hull of the state, which becomes that of `trial`.
+fn one_pass(
+    equations: &[Equation<'_>],
+    options: &RczOptions,
+    base: &ConstrainedZonotope,
+    trial: &mut ConstrainedZonotope,
+    state: &mut RczState,
+    scratch: &mut Scratch,
+) -> Result<(), EstimatorError> {
+    let mut conflict = None;
+    for equation in equations {
+        if let Some(found) = equation.contract(options.contraction, &mut state.hull, scratch)? {
+            conflict = Some((equation.culprit, found));
+            break;
+        }
+    }
+    trial.clone_from(base);
+    scratch.culprits.clear();
+    scratch.culprits.resize(base.num_constraints(), Culprit::Prediction);
+    scratch.directions.reset(base.dim());
+    for equation in equations {
+        equation.cut(&state.hull, trial, scratch)?;
+    }
+    let Scratch { bounds, own, culprits, .. } = scratch;
+    if let Some((culprit, conflict)) = conflict {
+        return Err(contradiction::of_propagation(state, trial, (culprit, conflict), culprits, &mut bounds.sets));
+    }
+    let held = &mut scratch.held;
+    held.clone_from(&state.hull);
+    RczState::cut_hull(trial, &mut state.hull, own, options, &mut bounds.sets)?;
+    if state.hull.iter().any(Interval::is_empty) {
+        return Err(contradiction::of_hull(state.step, trial, (own, held), culprits, &mut bounds.sets));
+    }
+    Ok(())
+}

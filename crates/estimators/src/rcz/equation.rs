@@ -1,0 +1,72 @@
+//! [`Equation`]: `g(x, v) in Y`, as a measurement or an invariant states it.
+
+use nonlin_bounds::{BoundError, Conflict, Contraction, Domain, ForwardBackward};
+use scalars::Interval;
+use setrep::{ConstrainedZonotope, Zonotope};
+
+use super::scratch::{Scratch, is_box, store};
+use crate::system::Relation;
+use crate::{Culprit, EstimatorError};
+
+/// A function, the values that it takes, and where they come from.
+#[derive(Clone, Copy)]
+pub(super) struct Equation<'a> {
+    pub(super) relation: &'a Relation,
+    /// The noises after the states, if there are any.
+    pub(super) noise: Option<&'a Zonotope>,
+    pub(super) values: &'a [Interval],
+    pub(super) parameters: &'a [Interval],
+    pub(super) culprit: fn(usize) -> Culprit,
+}
+
+impl Equation<'_> {
+    /// Shrinks the box of states by propagation through the tape; a conflict leaves it as it was.
+    pub(super) fn contract(
+        &self,
+        contractor: ForwardBackward,
+        hull: &mut [Interval],
+        scratch: &mut Scratch,
+    ) -> Result<Option<Conflict>, EstimatorError> {
+        let Some(tape) = self.relation.tape() else { return Ok(None) };
+        scratch.stack(hull, self.noise)?;
+        let Scratch { bounds, sides, .. } = scratch;
+        if let Contraction::ProvenEmpty(conflict) =
+            contractor.contract(tape, sides, self.parameters, self.values, bounds)?
+        {
+            return Ok(Some(conflict));
+        }
+        let n = hull.len();
+        hull.copy_from_slice(&sides[..n]);
+        Ok(None)
+    }
+
+    /// Cuts a set with the rows of the equation over the box of states, and notes where each row comes from.
+    pub(super) fn cut(
+        &self,
+        hull: &[Interval],
+        set: &mut ConstrainedZonotope,
+        scratch: &mut Scratch,
+    ) -> Result<(), EstimatorError> {
+        scratch.stack(hull, self.noise)?;
+        let Scratch { bounds, enclosure, rows, sides, point, noise: storage, culprits, directions, .. } = scratch;
+        let domain =
+            Domain::new(sides, point).with_parameters(self.parameters).with_noises(self.noise.map_or(0, Zonotope::dim));
+        enclosure.enclose_where_possible(self.relation.function(), &domain, bounds)?;
+        enclosure.rows_into(hull.len(), self.values, rows)?;
+        directions.push_rows(rows.directions())?;
+        if let Some(noise) = self.noise.filter(|noise| !is_box(noise)) {
+            // Noises that mix the outputs are generators of the cut; that needs every output to be bounded.
+            let noise = store(storage, &ConstrainedZonotope::from(noise.clone()));
+            match enclosure.intersect_with_noise(set, self.values, noise, bounds) {
+                Err(BoundError::UnboundedResult { .. }) => {}
+                result => {
+                    culprits.extend((0..self.values.len()).map(self.culprit));
+                    return Ok(result?);
+                }
+            }
+        }
+        rows.intersect(set, bounds)?;
+        culprits.extend(rows.outputs().iter().map(|&output| (self.culprit)(output)));
+        Ok(())
+    }
+}
