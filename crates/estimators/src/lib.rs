@@ -1,16 +1,18 @@
 //! Set-membership filters on vector spaces and Lie groups.
 //!
-//! A filter keeps an estimate and a set around it. Between measurements the set moves with the model and grows by the process
-//! noise; a measurement corrects the estimate by a gain `L` times the innovation and shrinks the set.
+//! A filter keeps a set that holds the state. Between measurements the set moves with the model and grows by the process noise; a
+//! measurement cuts it ([`Rcz`]), or corrects an estimate in it by a gain `L` times the innovation ([`Zsmf`], [`InZsmf`]).
 //!
 //! | filter | state | set | guarantee |
 //! |---|---|---|---|
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
+//! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //!
 //! All of them are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
 //! [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
-//! the set, and the documentation of each filter says how often it did.
+//! the set, and the documentation of each filter says how often it did. A rigorous filter that is left without a state says so with
+//! proof, [`EstimatorError::Inconsistent`], and keeps its predicted set.
 //!
 //! The gain is a rule, [`Gain`]: F-radius optimal ([`f_radius_gain`]), by pole placement for several outputs ([`place`]), or fixed.
 //!
