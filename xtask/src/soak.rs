@@ -19,7 +19,7 @@ const PACKAGES: [(&str, &[&str]); 6] = [
     ("scalars", &["containment"]),
     ("boxlp", &["containment"]),
     ("lie-groups", &["containment"]),
-    ("setrep", &["containment", "cz", "polytope", "plot", "laws"]),
+    ("setrep", &["containment", "cz", "bundle", "polytope", "plot", "laws"]),
     ("estimators", &["containment"]),
     ("scenarios", &["containment"]),
 ];
