@@ -3,7 +3,7 @@
 use nonlin_bounds::{DynFunction, Function, Jet, Order, Smoothness};
 use scalars::Interval;
 
-use crate::common::functions::{Domain, Visitor, each};
+use crate::common::functions::{Attitude, Domain, Visitor, each};
 
 struct Smooth(Jet);
 
@@ -39,4 +39,22 @@ impl Visitor for Smooth {
 #[test]
 fn are_smooth_on_their_domains() {
     each(&mut Smooth(Jet::new()));
+}
+
+/// The attitude model on a box whose rates are all zero somewhere: a model with `sin(p) / p`, `p` a square root, has unbounded
+/// derivatives there; with Stumpff functions of `p^2` they are those at a rate of zero, up to the size of the box.
+#[test]
+fn attitude_is_tight_across_a_rate_of_zero() {
+    let around = |center: f64, radius: f64| Interval::new(center - radius, center + radius).unwrap();
+    let (no_rate, rates) = (Interval::ZERO, around(0.0, 3e-3));
+    let state = [around(0.0, 0.1), around(1.0, 0.1), around(0.0, 0.1), around(0.0, 0.1)];
+    let cube = [&state[..], &[rates; 3]].concat();
+    let mut jet = Jet::new();
+    Attitude.enclose(Order::Hessian, &cube, &[no_rate; 3], &mut jet).unwrap();
+    assert!(jet.smoothness().iter().all(|&s| s == Smoothness::C2), "{:?}", jet.smoothness());
+    let widest = |entries: &[Interval]| entries.iter().map(Interval::width).fold(0.0, f64::max);
+    // Half the step times the widths of the states, and of the rates.
+    assert!(widest(jet.jacobian()) < 0.021, "{}", widest(jet.jacobian()));
+    assert!(widest(jet.hessians()) < 0.005, "{}", widest(jet.hessians()));
+    assert!(widest(&jet.jacobian()[..4]) < 7e-4, "{}", widest(&jet.jacobian()[..4]));
 }
