@@ -46,7 +46,7 @@ fn main() -> Result<(), EstimatorError> {
     }
     match filter.update(&[0.9]) {
         Err(EstimatorError::Inconsistent(proof)) => {
-            println!("a height of 0.9 m: {proof}; the set of the prediction is kept")
+            println!("a height of 0.9 m: {proof}; the set of the prediction is kept");
         }
         other => println!("a height of 0.9 m is possible: {other:?}"),
     }
