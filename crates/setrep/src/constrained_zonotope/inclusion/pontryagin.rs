@@ -83,7 +83,7 @@ impl ConstrainedZonotope {
     ///
     /// *Proof.* A point of it is `c - c_W + G D xi`, a point of `W` is `c_W + H zeta`. Their sum is `c + G eta` with
     /// `eta = D xi + C zeta`, `|eta_j| <= D_j + sum_k |C_jk| <= 1`, and `A eta = A D xi + A C zeta` lies in `[b]`. In floating point,
-    /// `G C` misses `H`, and `G D` and `c - c_W` are rounded; a [correction](Correction) `E` of the coordinates with
+    /// `G C` misses `H`, and `G D` and `c - c_W` are rounded; a correction `E` of the coordinates with
     /// `G E` equal to all of that together is proven to exist, and its bounds are subtracted from `D` and from the ranges as well.
     /// Equality rows of `A` belong to `G` in this: there the correction keeps `A eta = b` exactly.
     ///
