@@ -7,7 +7,6 @@ use super::contains::stacked;
 use super::correction::Correction;
 use super::factorization::{Goal, factorize};
 use crate::bounds::two_sum;
-use crate::ops::linear_map::is_model_size;
 use crate::{ConstrainedZonotope, Directions, Matrix, Part, SetError, Workspace, Zonotope};
 
 impl ConstrainedZonotope {
@@ -97,14 +96,9 @@ impl ConstrainedZonotope {
         let n = self.dim();
         SetError::check_size(Part::Center, n, subtrahend.dim())?;
         let mut set = self.clone();
-        for i in 0..n {
-            let extent: f64 = set.generators().columns().map(|g| g[i].abs()).sum();
-            if is_model_size(set.remainder()[i], extent, set.center()[i].abs()) {
-                set.body.generators.push_axis(i, set.body.remainder[i]);
-            }
-            // A smaller remainder is a subset.
-            set.body.remainder[i] = 0.0;
-        }
+        set.body.materialize_model_size();
+        // A smaller remainder is a subset.
+        set.body.remainder.fill(0.0);
         set.pad_constraints();
         let mut noise = subtrahend.clone();
         noise.materialize();
