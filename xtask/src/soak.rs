@@ -15,12 +15,13 @@ pub(crate) struct Arguments {
 }
 
 /// Packages with containment batteries, and the test binaries that hold them.
-const PACKAGES: [(&str, &[&str]); 6] = [
+const PACKAGES: [(&str, &[&str]); 7] = [
     ("scalars", &["containment"]),
     ("boxlp", &["containment"]),
     ("lie-groups", &["containment"]),
     ("setrep", &["containment", "cz", "bundle", "polytope", "plot", "laws"]),
-    ("estimators", &["containment"]),
+    ("nonlin-bounds", &["derivatives", "range", "images", "polytopic", "contract"]),
+    ("estimators", &["containment", "set_filters"]),
     ("scenarios", &["containment"]),
 ];
 

@@ -40,7 +40,8 @@ pub enum Evidence {
         /// Where the measurement or the invariant puts it.
         required: Interval,
     },
-    /// Interval propagation of measurement and invariant over this box of states left nothing: the contractor run again shows it.
+    /// Bounds over this box of states left nothing: propagation through measurement and invariant, a function that is defined nowhere in
+    /// it, or bounds of the cut set that cross. The filter run again shows it.
     Propagation {
         /// The box.
         hull: Vec<Interval>,
@@ -60,7 +61,8 @@ pub enum Evidence {
 pub struct Inconsistency {
     /// Number of predictions so far.
     pub step: u64,
-    /// What contradicts each other, in order; those without a part in the proof are left out.
+    /// What contradicts each other, in order. Entries of measurement and invariant without a part in the proof are left out; the
+    /// prediction has one in nearly every proof, and is always named.
     pub culprits: Vec<Culprit>,
     /// The proof.
     pub evidence: Evidence,
@@ -73,6 +75,9 @@ impl Inconsistency {
     pub fn margin(&self) -> f64 {
         match &self.evidence {
             Evidence::Disjoint { predicted, required } => {
+                if predicted.is_empty() || required.is_empty() {
+                    return 0.0;
+                }
                 (required.lo() - predicted.hi()).max(predicted.lo() - required.hi())
             }
             Evidence::Propagation { .. } => 0.0,
@@ -86,7 +91,9 @@ impl Inconsistency {
     #[must_use]
     pub fn verify(&self) -> bool {
         match &self.evidence {
-            Evidence::Disjoint { predicted, required } => predicted.disjoint(required),
+            Evidence::Disjoint { predicted, required } => {
+                !predicted.is_empty() && !required.is_empty() && predicted.disjoint(required)
+            }
             Evidence::Propagation { .. } => false,
             Evidence::Rows { set, certificate } => certificate.verify(set),
         }
@@ -99,6 +106,6 @@ impl fmt::Display for Inconsistency {
         for (k, culprit) in self.culprits.iter().enumerate() {
             write!(f, "{}{culprit}", if k == 0 { "" } else { ", " })?;
         }
-        write!(f, " contradict the bounds by {:e}", self.margin())
+        write!(f, " contradict each other, margin {:.2e}", self.margin())
     }
 }

@@ -107,3 +107,10 @@ fn add_abs_row_sums_small<const N: usize>(columns: &[f64], sums: &mut [f64]) {
         *sum += (lanes[0][i] + lanes[1][i]) + (lanes[2][i] + lanes[3][i]);
     }
 }
+
+/// The largest power of two at most `x`, which is positive and normal.
+#[inline]
+pub(crate) fn power_of_two_below(x: f64) -> f64 {
+    // The exponent field alone.
+    f64::from_bits(x.to_bits() & (0x7ff << 52))
+}

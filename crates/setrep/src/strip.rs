@@ -188,12 +188,7 @@ impl ConstrainedZonotope {
     /// # Errors
     /// As [`intersect_rows`](Self::intersect_rows); the set is then unchanged.
     pub fn intersect_strips(&mut self, strips: &[Strip], workspace: &mut Workspace) -> Result<(), SetError> {
-        let mut rows = Matrix::zeros(strips.len(), self.dim());
-        for (i, strip) in strips.iter().enumerate() {
-            SetError::check_size(Part::Direction, self.dim(), strip.dim())?;
-            strip.direction.iter().enumerate().for_each(|(k, &a)| rows[(i, k)] = a);
-        }
-        let ranges: Vec<Interval> = strips.iter().map(Strip::range).collect();
+        let (rows, ranges) = rows_of(strips, self.dim())?;
         self.intersect_rows(&rows, &ranges, workspace)
     }
 
@@ -204,11 +199,24 @@ impl ConstrainedZonotope {
     /// # Errors
     /// As [`intersect_rows`](Self::intersect_rows); the set is then unchanged.
     pub fn intersect_h_polytope(&mut self, polytope: &HPolytope, workspace: &mut Workspace) -> Result<(), SetError> {
-        let below = |&h: &f64| Interval::new(f64::NEG_INFINITY, h).unwrap_or(Interval::ENTIRE);
-        let ranges: Vec<Interval> = polytope.offsets().iter().map(below).collect();
         SetError::check_size(Part::Normals, self.dim(), polytope.dim())?;
-        self.intersect_rows(polytope.normals(), &ranges, workspace)
+        self.intersect_rows(polytope.normals(), &ranges_below(polytope.offsets()), workspace)
     }
+}
+
+/// Strips in `R^n` as rows `C x in [d]`.
+pub(crate) fn rows_of(strips: &[Strip], n: usize) -> Result<(Matrix, Vec<Interval>), SetError> {
+    let mut rows = Matrix::zeros(strips.len(), n);
+    for (i, strip) in strips.iter().enumerate() {
+        SetError::check_size(Part::Direction, n, strip.dim())?;
+        strip.direction.iter().enumerate().for_each(|(k, &a)| rows[(i, k)] = a);
+    }
+    Ok((rows, strips.iter().map(Strip::range).collect()))
+}
+
+/// The ranges `[-inf, h_i]`.
+pub(crate) fn ranges_below(offsets: &[f64]) -> Vec<Interval> {
+    offsets.iter().map(|&h| Interval::new(f64::NEG_INFINITY, h).unwrap_or(Interval::ENTIRE)).collect()
 }
 
 impl Zonotope {

@@ -1,7 +1,8 @@
 //! Correction: the part of the set that measurements and invariants leave.
 
+use nonlin_bounds::BoundError;
 use scalars::Interval;
-use setrep::ConstrainedZonotope;
+use setrep::{ConstrainedZonotope, SetError};
 
 use super::contradiction;
 use super::equation::Equation;
@@ -69,7 +70,7 @@ fn one_pass(
     let mut conflict = None;
     for equation in equations {
         if let Some(found) = equation.contract(options.contraction, &mut state.hull, scratch)? {
-            conflict = Some((equation.culprit, found));
+            conflict = Some(equation.culprits(Some(found)));
             break;
         }
     }
@@ -78,11 +79,18 @@ fn one_pass(
     scratch.culprits.resize(base.num_constraints(), Culprit::Prediction);
     scratch.directions.reset(base.dim());
     for equation in equations {
-        equation.cut(&state.hull, trial, scratch)?;
+        match equation.cut(&state.hull, trial, scratch) {
+            Ok(()) => {}
+            // What is already refuted need not be enclosed.
+            Err(_) if conflict.is_some() => {}
+            // A function that is defined nowhere in the box has no value there to be measured.
+            Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => conflict = Some(equation.culprits(None)),
+            Err(error) => return Err(error),
+        }
     }
     let Scratch { bounds, own, culprits, .. } = scratch;
-    if let Some((culprit, conflict)) = conflict {
-        return Err(contradiction::of_propagation(state, trial, (culprit, conflict), culprits, &mut bounds.sets));
+    if let Some(conflict) = conflict {
+        return Err(contradiction::of_propagation(state, trial, conflict, culprits, &mut bounds.sets));
     }
     let held = &mut scratch.held;
     held.clone_from(&state.hull);

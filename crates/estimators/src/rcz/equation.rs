@@ -40,6 +40,14 @@ impl Equation<'_> {
         Ok(None)
     }
 
+    /// The outputs that a conflict names: one, or all.
+    pub(super) fn culprits(&self, conflict: Option<Conflict>) -> Vec<Culprit> {
+        match conflict {
+            Some(Conflict::Output { output, .. }) => vec![(self.culprit)(output)],
+            _ => (0..self.values.len()).map(self.culprit).collect(),
+        }
+    }
+
     /// Cuts a set with the rows of the equation over the box of states, and notes where each row comes from.
     pub(super) fn cut(
         &self,

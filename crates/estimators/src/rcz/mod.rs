@@ -24,7 +24,8 @@ use scratch::Scratch;
 ///   order; the set is mapped, the noise keeps its shape.
 /// - **Update.** Up to three passes of: propagation of the hull through measurement and invariant; rows of both with their remainders
 ///   over the hull; the hull of the set with these rows, by certified linear programs. The invariant joins every update.
-/// - **Reduction.** LP re-encoding ([`ConstrainedZonotope::reencode`]) before a prediction, every step or every few.
+/// - **Reduction.** LP re-encoding ([`ConstrainedZonotope::reencode`]) before a prediction, every step or every few, and before an update
+///   if many have come without a prediction.
 ///
 /// A call that fails leaves the filter as it was, a proven contradiction ([`EstimatorError::Inconsistent`]) included: the predicted set
 /// is kept, and the caller may go on without the measurement. A step in steady state allocates nothing.
@@ -131,8 +132,8 @@ impl Rcz {
     /// Goes on from a state that was saved, or from a set known otherwise.
     ///
     /// # Errors
-    /// [`EstimatorError::Size`] if its parts are not of the system's dimension, [`EstimatorError::EmptyRange`] if its hull is empty;
-    /// the filter is then unchanged.
+    /// [`EstimatorError::Size`] if its parts are not of the system's dimension, [`EstimatorError::EmptyRange`] and
+    /// [`EstimatorError::NotFinite`] if its hull is empty or unbounded; the filter is then unchanged.
     pub fn restore(&mut self, state: &RczState) -> Result<(), EstimatorError> {
         let n = self.system.states();
         check_size("saved set", n, state.set.dim())?;
@@ -140,6 +141,9 @@ impl Rcz {
         check_size("saved directions", n, state.directions.dim())?;
         if let Some(index) = state.hull.iter().position(Interval::is_empty) {
             return Err(EstimatorError::EmptyRange { what: "saved hull", index });
+        }
+        if let Some(index) = state.hull.iter().position(|side| !side.is_bounded()) {
+            return Err(EstimatorError::NotFinite { what: "saved hull", index, value: state.hull[index].mag() });
         }
         self.state.clone_from(state);
         Ok(())
@@ -194,6 +198,10 @@ impl Rcz {
             culprit: Culprit::Invariant,
         });
         draft.clone_from(state);
+        let rows = [&measurement, &invariant].into_iter().flatten().map(|equation| equation.values.len()).sum();
+        if draft.is_crowded(options, rows) {
+            draft.reduce(options, &mut scratch.bounds.sets)?;
+        }
         match (measurement, invariant) {
             (Some(measurement), Some(invariant)) => {
                 correct::correct(&[measurement, invariant], options, draft, scratch)?;

@@ -1,7 +1,7 @@
 //! What an [`Rcz`](crate::Rcz) filter knows between calls.
 
 use scalars::Interval;
-use setrep::{Complexity, ConstrainedZonotope, Directions, Reduction, Reencoding, Workspace};
+use setrep::{Complexity, ConstrainedZonotope, Directions, Reduction, Reencoding, SetError, Workspace};
 
 use super::options::{RczOptions, Tier};
 use crate::EstimatorError;
@@ -47,6 +47,9 @@ impl RczState {
     /// The first state: a set and its hull.
     pub(super) fn new(set: ConstrainedZonotope, workspace: &mut Workspace) -> Result<Self, EstimatorError> {
         let hull = set.interval_hull(workspace)?.to_vec();
+        if hull.iter().any(Interval::is_empty) {
+            return Err(SetError::EmptySet.into());
+        }
         let directions = Directions::new(set.dim());
         Ok(Self { set, hull, directions, step: 0, unreduced: 0 })
     }
@@ -55,6 +58,12 @@ impl RczState {
     pub(super) fn is_due(&self, options: &RczOptions, noises: usize) -> bool {
         let columns = (options.reduce_every + 2) * (self.set.dim() + noises);
         self.unreduced >= options.reduce_every.max(1) || self.set.num_generators() > columns
+    }
+
+    /// Whether the set has more constraints than `rows` an update can have left since the last reduction that was due: several updates
+    /// have come without a prediction between them.
+    pub(super) fn is_crowded(&self, options: &RczOptions, rows: usize) -> bool {
+        self.set.num_constraints() > options.constraints + (options.reduce_every + 2) * rows
     }
 
     /// Encloses the set in a small one; the hull stays.
@@ -69,6 +78,7 @@ impl RczState {
                 let generators = 2 * self.set.dim() + options.constraints;
                 let limit = Complexity { generators, constraints: options.constraints };
                 self.set.reduce(limit, Reduction::Method4, workspace)?;
+                self.directions.clear();
             }
         }
         self.unreduced = 0;

@@ -1,5 +1,7 @@
 //! Set filters on the examples of paper 003: containment, sizes, faults.
 
+#![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
+
 mod plants;
 mod rcz;
 #[path = "../support/mod.rs"]

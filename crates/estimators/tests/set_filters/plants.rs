@@ -104,32 +104,31 @@ impl Function for SquaredNorm {
 }
 
 pub(crate) fn cube(n: usize, radius: f64) -> Zonotope {
-    Zonotope::from_box(&vec![0.0; n], &vec![radius; n]).expect("well-formed")
+    Zonotope::from_box(&vec![0.0; n], &vec![radius; n]).unwrap()
 }
 
 pub(crate) fn planar() -> System {
-    System::new(Relation::new(PlanarStep), cube(2, 0.4), Relation::new(PlanarOutput), cube(2, 0.4))
-        .expect("well-formed")
+    System::new(Relation::new(PlanarStep), cube(2, 0.4), Relation::new(PlanarOutput), cube(2, 0.4)).unwrap()
 }
 
 /// `X_0` of (18).
 pub(crate) fn planar_start() -> ConstrainedZonotope {
-    let generators = Matrix::from_rows(&[&[0.5, 1.0, -0.5], &[0.5, 0.5, 0.0]]).expect("well-formed");
-    Zonotope::new(&[5.0, 0.5], &generators).expect("well-formed").into()
+    let generators = Matrix::from_rows(&[&[0.5, 1.0, -0.5], &[0.5, 0.5, 0.0]]).unwrap();
+    Zonotope::new(&[5.0, 0.5], &generators).unwrap().into()
 }
 
 /// Example 5.2 with measurement noise up to `noise`.
 pub(crate) fn attitude(noise: f64) -> System {
     let (step, output) = (Relation::new(AttitudeStep), Relation::new(AttitudeOutput));
-    let system = System::new(step, cube(3, 3e-3), output, cube(6, noise)).expect("well-formed");
+    let system = System::new(step, cube(3, 3e-3), output, cube(6, noise)).unwrap();
     // The simulated quaternions are of length 1 up to rounding only.
     let one = Interval::ONE.inflate(1e-13);
-    system.with_invariant(Relation::new(SquaredNorm), vec![one]).expect("well-formed")
+    system.with_invariant(Relation::new(SquaredNorm), vec![one]).unwrap()
 }
 
 pub(crate) fn attitude_start() -> ConstrainedZonotope {
     let generators = Matrix::from_diagonal(&[0.18; 4]);
-    Zonotope::new(&[0.0, 1.0, 0.0, 0.0], &generators).expect("well-formed").into()
+    Zonotope::new(&[0.0, 1.0, 0.0, 0.0], &generators).unwrap().into()
 }
 
 /// How a noise is drawn within its bound.

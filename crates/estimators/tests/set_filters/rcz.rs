@@ -1,29 +1,33 @@
 //! `Rcz`: containment with uniform and vertex noise, radii against the best that is possible, proofs of faults.
 
-use estimators::{Estimator, EstimatorError, Guarantee, Rcz, RczOptions, Tier};
-use setrep::Membership;
+use estimators::{Culprit, Estimator, EstimatorError, Guarantee, Rcz, RczOptions, Relation, System, Tier};
+use nonlin_bounds::Function;
+use scalars::{Interval, Scalar};
+use setrep::{ConstrainedZonotope, Membership};
 
-use crate::plants::{Draw, attitude, attitude_run, attitude_start, planar, planar_run, planar_start, radius};
+use crate::plants::{
+    Draw, PlanarStep, attitude, attitude_run, attitude_start, cube, planar, planar_run, planar_start, radius,
+};
 use crate::support::{Random, cases};
 
 /// The state lies in the hull, and is not proven to lie outside the set.
 fn check(filter: &Rcz, x: &[f64], what: &str) {
     let point: Vec<_> = x.iter().map(|&x| scalars::Interval::point(x).inflate(1e-12)).collect();
     assert!(filter.hull().iter().zip(&point).all(|(side, x)| !side.disjoint(x)), "{what}: {:?} {x:?}", filter.hull());
-    let member = filter.enclosure().membership(&point, &mut setrep::Workspace::new()).expect("well-formed");
+    let member = filter.enclosure().membership(&point, &mut setrep::Workspace::new()).unwrap();
     assert_ne!(member, Membership::ProvenOutside, "{what}");
 }
 
 /// Mean radius over the steps of example 5.1.
 fn planar_radius(options: RczOptions, draw: Draw, random: &mut Random) -> f64 {
-    let mut filter = Rcz::new(planar(), planar_start(), options).expect("well-formed");
+    let mut filter = Rcz::new(planar(), planar_start(), options).unwrap();
     let run = planar_run(draw, 10, random);
     let mut sum = 0.0;
     for (k, (x, y)) in run.iter().enumerate() {
         if k > 0 {
-            filter.predict(&[]).expect("well-formed");
+            filter.predict(&[]).unwrap();
         }
-        filter.update(y).expect("well-formed");
+        filter.update(y).unwrap();
         check(&filter, x, "planar");
         sum += radius(filter.hull());
     }
@@ -44,15 +48,15 @@ fn planar_example_is_as_tight_as_the_linearised_optimum() {
 
 /// Radii of the hulls of example 5.2.
 fn attitude_radii(noise: f64, draw: Draw, steps: usize, options: RczOptions, random: &mut Random) -> Vec<f64> {
-    let mut filter = Rcz::new(attitude(noise), attitude_start(), options).expect("well-formed");
+    let mut filter = Rcz::new(attitude(noise), attitude_start(), options).unwrap();
     assert_eq!(filter.guarantee(), Guarantee::Rigorous);
     let run = attitude_run(noise, draw, steps, random);
     let mut radii = Vec::new();
     for (k, (x, y, _)) in run.iter().enumerate() {
         if k > 0 {
-            filter.predict(&run[k - 1].2).expect("well-formed");
+            filter.predict(&run[k - 1].2).unwrap();
         }
-        filter.update(y).expect("well-formed");
+        filter.update(y).unwrap();
         check(&filter, x, "attitude");
         radii.push(radius(filter.hull()));
     }
@@ -95,11 +99,11 @@ fn an_outlier_is_a_proven_contradiction_and_leaves_the_filter_as_it_was() {
     let mut random = Random::new(54);
     let (mut proven, mut total) = (0, 0);
     for _ in 0..10 {
-        let mut filter = Rcz::new(attitude(0.15), attitude_start(), RczOptions::fast(4)).expect("well-formed");
+        let mut filter = Rcz::new(attitude(0.15), attitude_start(), RczOptions::fast(4)).unwrap();
         let run = attitude_run(0.15, Draw::Uniform, 12, &mut random);
         for (k, (_, y, _)) in run.iter().enumerate() {
             if k > 0 {
-                filter.predict(&run[k - 1].2).expect("well-formed");
+                filter.predict(&run[k - 1].2).unwrap();
             }
             let mut wrong = y.clone();
             let i = random.below(6);
@@ -114,12 +118,89 @@ fn an_outlier_is_a_proven_contradiction_and_leaves_the_filter_as_it_was() {
                     assert_eq!(filter.state(), &before);
                     proven += 1;
                 } else {
-                    filter.restore(&before).expect("well-formed");
+                    filter.restore(&before).unwrap();
                 }
             }
-            filter.update(y).expect("well-formed");
+            filter.update(y).unwrap();
         }
     }
     println!("{proven} of {total} outliers proven");
     assert!(proven * 20 >= total * 19);
+}
+
+/// The square root of the first of two states, with noise: variables `(x, v)`.
+struct Root;
+
+impl Function for Root {
+    fn variables(&self) -> usize {
+        3
+    }
+    fn outputs(&self) -> usize {
+        1
+    }
+    fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) {
+        y[0] = x[0].sqrt() + x[2];
+    }
+}
+
+/// A measurement that is defined nowhere in the set refutes it: with a tape and without one.
+#[test]
+fn a_measurement_of_what_is_undefined_is_a_contradiction() {
+    let start = || ConstrainedZonotope::from_box(&[-1.5, 0.0], &[0.5, 1.0]).unwrap();
+    for relation in [Relation::new(Root), Relation::from_bounds(Root)] {
+        let system = System::new(Relation::new(PlanarStep), cube(2, 0.1), relation, cube(1, 0.1)).unwrap();
+        let mut filter = Rcz::new(system, start(), RczOptions::fast(2)).unwrap();
+        let before = filter.state().clone();
+        let Err(EstimatorError::Inconsistent(proof)) = filter.update(&[1.0]) else { panic!("no contradiction") };
+        assert_eq!(proof.culprits, [Culprit::Measurement(0), Culprit::Prediction]);
+        assert_eq!(filter.state(), &before);
+    }
+}
+
+/// An empty first set is refused, missing outputs are no constraints, and many updates do not grow the set without bound.
+#[test]
+fn bad_starts_missing_outputs_and_many_updates() {
+    let mut empty = ConstrainedZonotope::from_box(&[0.0; 2], &[1.0; 2]).unwrap();
+    empty.intersect_half_space(&[1.0, 1.0], -3.0, &mut setrep::Workspace::new()).unwrap();
+    assert!(matches!(Rcz::new(planar(), empty, RczOptions::fast(2)), Err(EstimatorError::Set(_))));
+
+    let mut random = Random::new(55);
+    for tier in [Tier::LinearPrograms, Tier::Rescaling] {
+        let options = RczOptions { tier, ..RczOptions::fast(2) };
+        let mut filter = Rcz::new(planar(), planar_start(), options).unwrap();
+        let hull: Vec<Interval> = filter.hull().to_vec();
+        filter.update_some(&[None, None], &[]).unwrap();
+        assert!(
+            filter.hull().iter().zip(&hull).all(|(new, old)| new.subset_of(old) && new.width() > 0.999 * old.width())
+        );
+        let run = planar_run(Draw::Uniform, 0, &mut random);
+        let (x, y) = &run[0];
+        for k in 0..50 {
+            filter.update_some(&[Some(y[0]), (k % 2 == 0).then_some(y[1])], &[]).unwrap();
+            check(&filter, x, "the same measurement again and again");
+            assert!(filter.enclosure().num_constraints() <= 3 + 4 * 2, "{}", filter.enclosure().num_constraints());
+        }
+    }
+}
+
+/// Steady state allocates nothing: predictions, updates and reductions of a warm filter.
+#[test]
+fn a_step_in_steady_state_allocates_nothing() {
+    let mut random = Random::new(56);
+    for options in [RczOptions::fast(4), RczOptions::slow(4), RczOptions::cheap(4)] {
+        let run = attitude_run(0.15, Draw::Uniform, 60, &mut random);
+        let mut filter = Rcz::new(attitude(0.15), attitude_start(), options).unwrap();
+        let step = |filter: &mut Rcz, k: usize| {
+            filter.update(&run[k].1).unwrap();
+            filter.predict(&run[k].2).unwrap();
+        };
+        // The same run again and again: sets change places, so each buffer has to have been the largest once.
+        let start = filter.state().clone();
+        for _ in 0..6 {
+            (0..60).for_each(|k| step(&mut filter, k));
+            filter.restore(&start).unwrap();
+        }
+        let info = allocation_counter::measure(|| (0..60).for_each(|k| step(&mut filter, k)));
+        assert_eq!(info.count_total, 0, "{:?}", options.tier);
+    }
 }

@@ -5,7 +5,6 @@ use scalars::rounding::{add_down, add_up, sub_down, sub_up};
 
 use super::ZonotopeBundle;
 use crate::bounds::two_sum;
-use crate::ops::linear_map::is_model_size;
 use crate::{ConstrainedZonotope, SetError, Zonotope};
 
 impl ZonotopeBundle {
@@ -33,13 +32,7 @@ impl ZonotopeBundle {
         ranges.clear();
         body.clone_from(self.first());
         if !rest.is_empty() {
-            for i in 0..n {
-                let extent: f64 = self.first().generators().columns().map(|g| g[i].abs()).sum();
-                if is_model_size(body.remainder[i], extent, body.center[i].abs()) {
-                    body.generators.push_axis(i, body.remainder[i]);
-                    body.remainder[i] = 0.0;
-                }
-            }
+            body.materialize_model_size();
         }
         let own = body.generators.cols();
         let mut column = own;

@@ -1,6 +1,7 @@
 //! The zonotope bundle: an intersection of zonotopes that is never computed; one operation family a file.
 
 mod conversions;
+mod cut;
 mod operations;
 mod program;
 mod reduce;

@@ -1,6 +1,9 @@
 //! Intersection, maps, sums and products, member by member.
 
+use scalars::Interval;
+
 use super::ZonotopeBundle;
+use crate::constrained_zonotope::selection;
 use crate::{IntervalMatrix, Matrix, Part, SetError, Workspace, Zonotope};
 
 impl ZonotopeBundle {
@@ -76,6 +79,26 @@ impl ZonotopeBundle {
     /// As [`minkowski_sum`](Self::minkowski_sum); the set is then unchanged.
     pub fn add_assign(&mut self, other: &Zonotope, workspace: &mut Workspace) -> Result<(), SetError> {
         self.change(workspace, |member, _| member.add_assign(other))
+    }
+
+    /// Minkowski sum with a box, which is added to every member's remainder.
+    ///
+    /// **Guarantee:** superset of the exact sum.
+    ///
+    /// # Errors
+    /// As [`Zonotope::add_box`]; the set is then unchanged.
+    pub fn add_box(&mut self, sides: &[Interval], workspace: &mut Workspace) -> Result<(), SetError> {
+        self.change(workspace, |member, _| member.add_box(sides))
+    }
+
+    /// Projection `{ (x_k : k in coordinates) : x in X }`, in the order given: the projections of the members.
+    ///
+    /// **Guarantee:** superset of the exact projection; `bundle.to_constrained_zonotope()?.project(..)` is exact but for rounding.
+    ///
+    /// # Errors
+    /// [`SetError::ZeroDimension`] for no coordinates, [`SetError::NoSuchCoordinate`].
+    pub fn project(&self, coordinates: &[usize]) -> Result<Self, SetError> {
+        self.linear_map(&selection(coordinates, self.dim())?)
     }
 
     /// Translation `t + X`.

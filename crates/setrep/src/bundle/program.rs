@@ -17,11 +17,16 @@ impl ZonotopeBundle {
         check_direction(self.dim(), direction, None)?;
         self.with_program(workspace, |program, workspace| {
             let bound = program.support(direction, workspace)?;
-            self.members.iter().try_fold(bound, |least, member| Ok(least.min(member.support(direction)?)))
+            self.least_support(bound, direction)
         })
     }
 
-    /// Interval hull of the intersection, by one program and `2n` objectives.
+    /// The least of a bound and the members' supports.
+    fn least_support(&self, bound: f64, direction: &[f64]) -> Result<f64, SetError> {
+        self.members.iter().try_fold(bound, |least, member| Ok(least.min(member.support(direction)?)))
+    }
+
+    /// Interval hull of the intersection, by one program and `2n` objectives, cut with the hulls of the members.
     ///
     /// **Guarantee:** superset of the exact hull, hence of the set; empty only if the set is proven empty.
     ///
@@ -38,7 +43,19 @@ impl ZonotopeBundle {
     /// # Errors
     /// As [`interval_hull`](Self::interval_hull); [`SetError::Dimension`] if the slice has another length.
     pub fn interval_hull_into(&self, hull: &mut [Interval], workspace: &mut Workspace) -> Result<(), SetError> {
-        self.with_program(workspace, |program, workspace| program.interval_hull_into(hull, workspace))
+        self.with_program(workspace, |program, workspace| program.interval_hull_into(hull, workspace))?;
+        let sides = &mut workspace.ranges;
+        sides.clear();
+        sides.resize(self.dim(), Interval::EMPTY);
+        for member in &self.members {
+            member.interval_hull_into(sides)?;
+            hull.iter_mut().zip(sides.iter()).for_each(|(side, own)| *side = side.intersection(*own));
+        }
+        // Proven bounds that contradict each other on one axis prove the set empty.
+        if hull.iter().any(Interval::is_empty) {
+            hull.fill(Interval::EMPTY);
+        }
+        Ok(())
     }
 
     /// Decides whether the intersection is empty, with a proof either way.
@@ -126,7 +143,10 @@ impl SupportFunction for ZonotopeBundle {
     }
 
     fn support_vector(&self, direction: &[f64], point: &mut [f64], workspace: &mut Workspace) -> Result<f64, SetError> {
-        self.with_program(workspace, |program, workspace| program.support_vector(direction, point, workspace))
+        self.with_program(workspace, |program, workspace| {
+            let bound = program.support_vector(direction, point, workspace)?;
+            self.least_support(bound, direction)
+        })
     }
 
     fn interval_hull(&self, workspace: &mut Workspace) -> Result<IntervalVector, SetError> {

@@ -5,7 +5,6 @@ use scalars::Interval;
 use super::ConstrainedZonotope;
 use super::rescale::product;
 use crate::bounds::add_lengths;
-use crate::ops::linear_map::is_model_size;
 use crate::{Matrix, Part, SetError};
 
 impl ConstrainedZonotope {
@@ -35,8 +34,10 @@ impl ConstrainedZonotope {
     pub fn convex_hull(&self, other: &Self) -> Result<Self, SetError> {
         SetError::check_size(Part::Center, self.dim(), other.dim())?;
         let (mut x, mut y) = (self.clone(), other.clone());
-        x.materialize_model_size();
-        y.materialize_model_size();
+        for set in [&mut x, &mut y] {
+            set.body.materialize_model_size();
+            set.pad_constraints();
+        }
         let n = x.dim();
         let mut hull = Self::from(x.body.clone());
         hull.body.generators.append_columns(y.generators().as_slice());
@@ -63,18 +64,6 @@ impl ConstrainedZonotope {
         hull.ranges = rows.ranges;
         hull.settle_ranges()?;
         Ok(hull)
-    }
-
-    /// Turns the components of the remainder that are more than rounding into generators.
-    fn materialize_model_size(&mut self) {
-        for i in 0..self.dim() {
-            let extent: f64 = self.generators().columns().map(|g| g[i].abs()).sum();
-            if is_model_size(self.remainder()[i], extent, self.center()[i].abs()) {
-                self.body.generators.push_axis(i, self.body.remainder[i]);
-                self.body.remainder[i] = 0.0;
-            }
-        }
-        self.pad_constraints();
     }
 }
 

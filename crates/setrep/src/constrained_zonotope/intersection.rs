@@ -5,7 +5,7 @@ use scalars::Interval;
 use super::ConstrainedZonotope;
 use super::rows::check_not_empty;
 use crate::bounds::add_abs_row_sums;
-use crate::ops::linear_map::is_model_size;
+use crate::ops::materialize::is_model_size;
 use crate::{Matrix, Part, SetError, Workspace};
 
 /// A remainder may widen a cut by this share of its width before it becomes generators.
@@ -185,7 +185,7 @@ impl ConstrainedZonotope {
         for k in 0..self.dim() {
             let r = self.remainder()[k];
             let widens = || rows.col(k).iter().zip(tolerances.iter()).any(|(c, tolerance)| c.abs() * r > *tolerance);
-            if is_model_size(r, extents[k], self.center()[k].abs()) && widens() {
+            if is_model_size(r, extents[k], self.center()[k]) && widens() {
                 self.body.generators.push_axis(k, r);
                 self.body.remainder[k] = 0.0;
             }

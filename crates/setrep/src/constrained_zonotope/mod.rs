@@ -25,6 +25,7 @@ pub use emptiness::{Contradiction, Emptiness};
 pub use inclusion::Containment;
 pub use optimizer::Optimizer;
 pub(crate) use optimizer::{prepared, refused};
+pub(crate) use projection::selection;
 pub use reduce::Complexity;
 pub(crate) use reencode::Scratch as ReencodingScratch;
 pub use reencode::{Directions, Reencoding, TemplateWidths};

@@ -56,7 +56,7 @@ impl ConstrainedZonotope {
 }
 
 /// The matrix that selects coordinates.
-fn selection(coordinates: &[usize], dim: usize) -> Result<Matrix, SetError> {
+pub(crate) fn selection(coordinates: &[usize], dim: usize) -> Result<Matrix, SetError> {
     let mut map = Matrix::zeros(coordinates.len(), dim);
     for (i, &k) in coordinates.iter().enumerate() {
         if k >= dim {

@@ -4,6 +4,7 @@ use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
 use scalars::Interval;
 use scalars::rounding::add_up;
 
+use super::materialize::is_model_size;
 use crate::bounds::{add_abs_row_sums, add_lengths, gamma, product_sum_bound, sum_bound};
 use crate::{Matrix, Part, SetError, Workspace, Zonotope};
 
@@ -35,8 +36,8 @@ impl Zonotope {
     ///
     /// A row `i` of `R` with `z` nonzero entries gives entries off by at most `gamma_z sum_k |R_ik| |x_k|`, and only their sum over
     /// center and generators matters to the set, so `r_i' = sum_k |R_ik| (r_k + gamma_z (|c_k| + sum_j |G_kj|))`, rounded up. Rows
-    /// that select or negate one coordinate are exact. A component `r_k` of model size (above `1e-9` of the set's extent and `1e-12`
-    /// of its magnitude there) that `R` spreads over several rows becomes a generator first, for `|R| r` would wrap it.
+    /// that select or negate one coordinate are exact. A component `r_k` of [model size](Self::materialize_model_size) that `R` spreads
+    /// over several rows becomes a generator first, for `|R| r` would wrap it.
     ///
     /// **Guarantee:** superset of the exact image.
     ///
@@ -63,7 +64,7 @@ impl Zonotope {
         carried.clear();
         carried.extend_from_slice(&self.remainder);
         let is_large = |k: usize, extent: f64, scale: f64| {
-            is_model_size(scale * self.remainder[k], extent, self.center[k].abs()) && spreads(map.col(k))
+            is_model_size(scale * self.remainder[k], extent, self.center[k]) && spreads(map.col(k))
         };
         // Once one component has grown large, its neighbours that it fed are not far behind: they go with it.
         let any_large = (0..sums.len()).any(|k| is_large(k, sums[k], 1.0));
@@ -97,11 +98,6 @@ impl Zonotope {
         multiply(map, self.generators.as_slice(), self.generators.cols(), &mut workspace.matrix);
         self.generators.swap_storage(p, &mut workspace.matrix);
     }
-}
-
-/// Whether the box remainder `r` is more than rounding beside the generators' extent and the center in its row.
-pub(crate) fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
-    r > 1e-9 * extent && r > 1e-12 * center
 }
 
 /// Whether a column of a map has more than one nonzero entry.

@@ -6,7 +6,7 @@ mod gauge;
 mod interval_hull;
 mod interval_map;
 pub(crate) mod linear_map;
-mod materialize;
+pub(crate) mod materialize;
 pub(crate) mod membership;
 mod minkowski_sum;
 mod planar;

@@ -79,7 +79,8 @@ impl HPolytope {
             let slack = at_center.slack(self, i).lo();
             if length.hi() > 0.0 {
                 radius = radius.min(div_down(slack, if slack < 0.0 { length.lo() } else { length.hi() }));
-            } else if slack < 0.0 {
+            } else if self.offsets[i] < 0.0 {
+                // A normal of zeros: `0 <= h_i` is wrong, and nothing was rounded.
                 return Err(SetError::EmptySet);
             }
         }

@@ -5,6 +5,7 @@ use scalars::rounding::{ETA, add_down, add_up};
 
 use super::HPolytope;
 use super::error_free::dot_compensated;
+use crate::bounds::power_of_two_below;
 use crate::constrained_zonotope::{prepared, refused};
 use crate::{SetError, Workspace};
 
@@ -74,7 +75,7 @@ impl Frame {
 /// The least power of two not below `x`, which is not negative, and not below `2^-1000`; infinite where it overflows.
 fn power_of_two_above(x: f64) -> f64 {
     let clamped = x.max(2f64.powi(-1000));
-    let floor = f64::from_bits(clamped.to_bits() & (0x7ff << 52));
+    let floor = power_of_two_below(clamped);
     if floor < clamped { 2.0 * floor } else { floor }
 }
 

@@ -17,6 +17,7 @@ use super::exact::{dot, ray_of, scaled, sign};
 use super::incidence::{BitSets, iter};
 use super::rows::{IntegerRow, Rows};
 use super::solve::{Solver, pivots};
+use crate::bounds::power_of_two_below;
 
 /// Underflow in products and scaled rows stays below this.
 const TINY: f64 = 1e-290;
@@ -284,5 +285,5 @@ impl Rays {
 
 /// A power of two within a factor 2 of `x`, at most `x`; NaN where there is none.
 fn power_of_two_near(x: f64) -> f64 {
-    if x.is_normal() { f64::from_bits(x.to_bits() & (0x7ff << 52)) } else { f64::NAN }
+    if x.is_normal() { power_of_two_below(x) } else { f64::NAN }
 }

@@ -2,7 +2,9 @@
 
 use allocation_counter::measure;
 use scalars::Interval;
-use setrep::{Emptiness, IntervalMatrix, IntervalVector, Matrix, Membership, Workspace, Zonotope, ZonotopeBundle};
+use setrep::{
+    Emptiness, IntervalMatrix, IntervalVector, Matrix, Membership, SupportFunction, Workspace, Zonotope, ZonotopeBundle,
+};
 
 use crate::SEED;
 use crate::common::dyadic::Dyadic;
@@ -34,7 +36,8 @@ pub(crate) fn bundle(random: &mut Random, n: usize, members: usize) -> (Zonotope
     (ZonotopeBundle::new(all).unwrap(), x)
 }
 
-/// Panics if the exact point is not proven a member of every zonotope, or is refuted by what is asked of the bundle.
+/// Panics if the exact point is not proven a member of every zonotope, or is refuted by what is asked of the bundle; and if a hull or a
+/// support is looser than a member's.
 pub(crate) fn assert_member(
     set: &ZonotopeBundle,
     x: &[Dyadic],
@@ -43,13 +46,19 @@ pub(crate) fn assert_member(
     context: &str,
 ) {
     assert!(set.members().iter().all(|member| lies_in(member, x)), "outside a member, {context}: {set:?}");
-    for (side, x) in set.interval_hull(workspace).unwrap().iter().zip(x) {
+    let hull = set.interval_hull(workspace).unwrap();
+    for own in set.members().iter().map(Zonotope::interval_hull) {
+        assert!(hull.iter().zip(own.iter()).all(|(side, own)| side.subset_of(own)), "{context}: {hull:?} of {set:?}");
+    }
+    for (side, x) in hull.iter().zip(x) {
         let inside = !side.is_empty() && &Dyadic::from(side.lo()) <= x && x <= &Dyadic::from(side.hi());
         assert!(inside, "outside the hull, {context}: {set:?}");
     }
     let d: Vec<f64> = (0..set.dim()).map(|_| random.moderate()).collect();
     let h = set.support(&d, workspace).unwrap();
     assert!(h == f64::INFINITY || dot(&d, x) <= Dyadic::from(h), "above the support, {context}: {set:?} {d:?}");
+    let by_vector = set.support_vector(&d, &mut vec![0.0; d.len()], workspace).unwrap();
+    assert_eq!(h, by_vector, "support with and without vector, {context}: {set:?} {d:?}");
     assert!(!set.is_proven_empty(workspace).unwrap(), "proven empty, {context}: {set:?}");
     assert!(!matches!(set.emptiness(workspace).unwrap(), Emptiness::ProvenEmpty(_)), "{context}: {set:?}");
     let point: Vec<Interval> = x.iter().map(|x| around(x, 0.0, 0.0)).collect();
@@ -65,7 +74,7 @@ fn operations_contain_exact_results() {
         let (n, members) = (random.between(1, 3), random.between(1, 4));
         let (set, x) = bundle(&mut random, n, members);
         let context = format!("seed {SEED} case {case}");
-        let (mut result, y) = match case % 6 {
+        let (mut result, y) = match case % 8 {
             0 => (set.clone(), x.clone()),
             1 => {
                 let p = random.between(1, 3);
@@ -88,6 +97,18 @@ fn operations_contain_exact_results() {
                 let interval = IntervalMatrix::point(map.clone()).unwrap();
                 image_set.interval_map_in_place(&interval, &mut workspace).unwrap();
                 (image_set, image(&map, &x))
+            }
+            5 => {
+                let shift: Vec<Dyadic> = (0..n).map(|_| Dyadic::from(random.wide())).collect();
+                let sides: Vec<Interval> =
+                    shift.iter().map(|t| around(t, 0.0, 0.0).inflate(random.unit().abs())).collect();
+                let mut moved = set.clone();
+                moved.add_box(&sides, &mut workspace).unwrap();
+                (moved, sum(&x, &shift))
+            }
+            6 => {
+                let coordinates: Vec<usize> = (0..random.between(1, n)).map(|_| random.below(n)).collect();
+                (set.project(&coordinates).unwrap(), coordinates.iter().map(|&k| x[k].clone()).collect())
             }
             _ => {
                 let (shift, factor): (Vec<f64>, f64) = ((0..n).map(|_| random.wide()).collect(), random.wide());

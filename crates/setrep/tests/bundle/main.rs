@@ -7,6 +7,7 @@ mod common;
 mod member;
 
 mod containment;
+mod cuts;
 mod reduction;
 
 /// Seed of all batteries; printed with every failing case.

@@ -3,7 +3,10 @@
 //! Two sets are equal if their supports are; each support is an upper bound, so the two agree to the width of that bound and neither is
 //! below the exact value at a member. The numbers are multiples of 1/8, so members of sums and images are exact.
 
-use setrep::{ConstrainedZonotope, HPolytope, IntervalVector, Matrix, SupportFunction, VPolytope, Workspace, Zonotope};
+use setrep::{
+    ConstrainedZonotope, HPolytope, IntervalVector, Matrix, SupportFunction, VPolytope, Workspace, Zonotope,
+    ZonotopeBundle,
+};
 
 use crate::common::dyadic::Dyadic;
 use crate::common::exact::{exact, image, member, sum, times};
@@ -120,6 +123,31 @@ impl Lawful for ConstrainedZonotope {
         let mut scaled = self.clone();
         scaled.scale(factor).unwrap();
         Some(scaled)
+    }
+}
+
+impl Lawful for ZonotopeBundle {
+    const AGREEMENT: f64 = 1e-11;
+
+    /// Two zonotopes around the origin and a vertex `x` of the first: the second is one around the origin plus the segment to `x`.
+    fn draw(random: &mut Random, n: usize) -> (Self, Vec<Dyadic>) {
+        let ((first, _), (second, _)) = (zonotope(random, n), zonotope(random, n));
+        let signs: Vec<f64> =
+            (0..first.num_generators()).map(|_| if random.below(2) == 0 { 1.0 } else { -1.0 }).collect();
+        let x = sum(&exact(first.center()), &times(first.generators(), &signs));
+        let half: Vec<f64> = x.iter().map(|x| 0.5 * x.approx()).collect();
+        let segment = Zonotope::new(&half, &Matrix::from_columns(&[&half]).unwrap()).unwrap();
+        (Self::new(vec![first, second.minkowski_sum(&segment).unwrap()]).unwrap(), x)
+    }
+
+    fn mapped(&self, map: &Matrix) -> Option<Self> {
+        Some(self.linear_map(map).unwrap())
+    }
+
+    fn met(&self, other: &Self) -> Option<Self> {
+        let mut both = self.clone();
+        both.intersect_bundle(other).unwrap();
+        Some(both)
     }
 }
 
@@ -286,6 +314,7 @@ laws_of! {
     boxes: setrep::IntervalVector;
     zonotopes: setrep::Zonotope;
     constrained_zonotopes: setrep::ConstrainedZonotope;
+    bundles: setrep::ZonotopeBundle;
     vertex_polytopes: setrep::VPolytope;
     half_space_polytopes: setrep::HPolytope;
 }

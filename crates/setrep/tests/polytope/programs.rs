@@ -189,6 +189,13 @@ fn degenerate_sets() {
         );
         assert_eq!(empty.chebyshev_ball(&mut workspace), Err(SetError::EmptySet), "{empty:?}");
     }
+    // A row of zeros: nothing is rounded in 0 <= h, however large or small h is.
+    for offset in [f64::MAX, f64::from_bits(1), 0.0] {
+        let zeros =
+            rows(&[&[1.0, 0.0], &[-1.0, 0.0], &[0.0, 1.0], &[0.0, -1.0], &[0.0, 0.0]], &[1.0, 1.0, 1.0, 1.0, offset]);
+        let ball = zeros.chebyshev_ball(&mut workspace).unwrap();
+        assert!((1.0 - 1e-12..=1.0).contains(&ball.radius) && ball.radius_bound >= 1.0, "{ball:?}");
+    }
     // A point and a slanted segment far from the origin.
     let far = 1e6;
     let point = rows(&[&[1.0, 1.0], &[-1.0, -1.0], &[1.0, -1.0], &[-1.0, 1.0]], &[2.0 * far, -2.0 * far, 0.0, 0.0]);

@@ -7,7 +7,6 @@ use super::contains::stacked;
 use super::correction::Correction;
 use super::factorization::{Goal, factorize};
 use crate::bounds::two_sum;
-use crate::ops::linear_map::is_model_size;
 use crate::{ConstrainedZonotope, Directions, Matrix, Part, SetError, Workspace, Zonotope};
 
 impl ConstrainedZonotope {
@@ -84,7 +83,7 @@ impl ConstrainedZonotope {
     ///
     /// *Proof.* A point of it is `c - c_W + G D xi`, a point of `W` is `c_W + H zeta`. Their sum is `c + G eta` with
     /// `eta = D xi + C zeta`, `|eta_j| <= D_j + sum_k |C_jk| <= 1`, and `A eta = A D xi + A C zeta` lies in `[b]`. In floating point,
-    /// `G C` misses `H`, and `G D` and `c - c_W` are rounded; a [correction](Correction) `E` of the coordinates with
+    /// `G C` misses `H`, and `G D` and `c - c_W` are rounded; a correction `E` of the coordinates with
     /// `G E` equal to all of that together is proven to exist, and its bounds are subtracted from `D` and from the ranges as well.
     /// Equality rows of `A` belong to `G` in this: there the correction keeps `A eta = b` exactly.
     ///
@@ -97,14 +96,9 @@ impl ConstrainedZonotope {
         let n = self.dim();
         SetError::check_size(Part::Center, n, subtrahend.dim())?;
         let mut set = self.clone();
-        for i in 0..n {
-            let extent: f64 = set.generators().columns().map(|g| g[i].abs()).sum();
-            if is_model_size(set.remainder()[i], extent, set.center()[i].abs()) {
-                set.body.generators.push_axis(i, set.body.remainder[i]);
-            }
-            // A smaller remainder is a subset.
-            set.body.remainder[i] = 0.0;
-        }
+        set.body.materialize_model_size();
+        // A smaller remainder is a subset.
+        set.body.remainder.fill(0.0);
         set.pad_constraints();
         let mut noise = subtrahend.clone();
         noise.materialize();

@@ -2,6 +2,7 @@
 
 use scalars::Interval;
 
+use crate::bounds::power_of_two_below;
 use crate::{ConstrainedZonotope, Reduction, SetError, Workspace};
 
 /// Axes of this share of the set's extent complete generators that do not span the space.
@@ -159,6 +160,5 @@ impl Frame {
 
 /// The largest power of two at most `x`, within the range whose products are safe; 1 for zero.
 pub(super) fn power_of_two(x: f64) -> f64 {
-    // The exponent field of a clamped, hence normal, number.
-    if x > 0.0 { f64::from_bits(x.clamp(1e-150, 1e150).to_bits() >> 52 << 52) } else { 1.0 }
+    if x > 0.0 { power_of_two_below(x.clamp(1e-150, 1e150)) } else { 1.0 }
 }
