@@ -3,7 +3,6 @@
 use scalars::Scalar;
 
 use crate::buffer::with_zeros;
-use crate::function::check_length;
 use crate::{BoundError, Function, Operand};
 
 /// `x -> g(f(x, p), r)`; the parameters are those of `f`, then those of `g`. Made by [`then`].
@@ -37,7 +36,7 @@ pub struct Stack<F, G> {
 /// # Ok::<(), nonlin_bounds::BoundError>(())
 /// ```
 pub fn then<F: Function, G: Function>(first: F, second: G) -> Result<Then<F, G>, BoundError> {
-    check_length(Operand::Variables, second.variables(), first.outputs())?;
+    BoundError::check_size(Operand::Variables, second.variables(), first.outputs())?;
     Ok(Then { first, second })
 }
 
@@ -54,7 +53,7 @@ pub fn then<F: Function, G: Function>(first: F, second: G) -> Result<Then<F, G>,
 /// # Ok::<(), nonlin_bounds::BoundError>(())
 /// ```
 pub fn stack<F: Function, G: Function>(first: F, second: G) -> Result<Stack<F, G>, BoundError> {
-    check_length(Operand::Variables, first.variables(), second.variables())?;
+    BoundError::check_size(Operand::Variables, first.variables(), second.variables())?;
     Ok(Stack { first, second })
 }
 

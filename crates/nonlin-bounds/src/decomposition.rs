@@ -10,6 +10,8 @@ use scalars::rounding::add_up;
 use setrep::{ConstrainedZonotope, IntervalVector, Matrix, SetError};
 
 use crate::directional::Directional;
+use crate::function::evaluate;
+use crate::quadratic::is_model_size;
 use crate::signs::{Purpose, Signs};
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
 
@@ -25,9 +27,6 @@ pub(crate) struct Decomposition {
     pub(crate) residuals: Vec<Interval>,
 }
 
-/// A remainder above this share of the hull is model-sized and becomes generators.
-const MODEL_SIZE: f64 = 1e-9;
-
 impl Decomposition {
     /// Decomposes `f` over a set.
     pub(crate) fn of(
@@ -37,15 +36,14 @@ impl Decomposition {
         workspace: &mut Workspace,
     ) -> Result<Self, BoundError> {
         BoundError::check_size(Operand::Variables, f.variables(), set.dim())?;
-        BoundError::check_size(Operand::Parameters, f.parameters(), p.len())?;
-        BoundError::check_box(Operand::Parameters, p)?;
+        BoundError::check_box(Operand::Parameters, f.parameters(), p)?;
         let hull = set.interval_hull(&mut workspace.sets)?;
         if hull.iter().any(Interval::is_empty) {
             return Err(SetError::EmptySet.into());
         }
-        BoundError::check_box(Operand::Hull, &hull)?;
+        BoundError::check_box(Operand::Hull, f.variables(), &hull)?;
         let mut set = set.clone();
-        if set.remainder().iter().zip(hull.iter()).any(|(&r, side)| r > MODEL_SIZE * side.rad()) {
+        if set.remainder().iter().zip(hull.iter()).any(|(&r, side)| is_model_size(r, side.rad(), side.mag())) {
             set.materialize();
         }
         set.rescale(&mut workspace.sets)?;
@@ -132,7 +130,12 @@ impl Search<'_> {
             let sign = |j: usize| if signs.rises(j) { 1.0 } else { -1.0 };
             let row: Vec<f64> = (0..generators.cols()).map(|j| signs.shift(j)).collect();
             let s = row.iter().enumerate().fold(Interval::ZERO, |sum, (j, &m)| sum.add_f64(sign(j) * m));
-            let (low, high) = (self.value(&low)?, self.value(&high)?);
+            let (low, high) = match (self.value(&low), self.value(&high)) {
+                (Ok(low), Ok(high)) => (low, high),
+                // Outside of a constrained set the function may not be defined.
+                (Err(error), _) | (_, Err(error)) if error.is_of_the_box() => continue,
+                (Err(error), _) | (_, Err(error)) => return Err(error),
+            };
             self.offer(row, Signs::between(low + s, high - s, 0.0));
         }
         Ok(())
@@ -140,7 +143,7 @@ impl Search<'_> {
 
     /// The output at a corner.
     fn value(&mut self, at: &[Interval]) -> Result<Interval, BoundError> {
-        self.f.enclose(Order::Value, at, self.p, &mut self.jet)?;
+        evaluate(self.f, Order::Value, at, self.p, &mut self.jet)?;
         Ok(self.jet.values()[self.i])
     }
 

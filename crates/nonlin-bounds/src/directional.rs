@@ -4,6 +4,7 @@ use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
 use setrep::ConstrainedZonotope;
 
+use crate::function::evaluate;
 use crate::range::enclose_as_far_as_possible;
 use crate::{BoundError, DynFunction, Jet, Order, Smoothness};
 
@@ -26,7 +27,7 @@ impl Directional {
             return Err(BoundError::OrderNotAvailable { order: Order::Jacobian as usize });
         }
         let point: Vec<Interval> = point.iter().map(|&x| Interval::point(x)).collect();
-        f.enclose(Order::Jacobian, &point, p, &mut at)?;
+        evaluate(f, Order::Jacobian, &point, p, &mut at)?;
         Ok(Self { over, at, has_second: order == Order::Hessian })
     }
 

@@ -108,13 +108,25 @@ impl BoundError {
         if expected == found { Ok(()) } else { Err(Self::Dimension { operand, expected, found }) }
     }
 
-    /// `Ok` if every side of a box is nonempty and bounded.
-    pub(crate) fn check_box(operand: Operand, sides: &[Interval]) -> Result<(), Self> {
+    /// `Ok` if a box has the right number of sides, each nonempty and bounded.
+    pub(crate) fn check_box(operand: Operand, expected: usize, sides: &[Interval]) -> Result<(), Self> {
+        Self::check_size(operand, expected, sides.len())?;
         match sides.iter().position(|side| !side.is_bounded()) {
             None => Ok(()),
             Some(index) if sides[index].is_empty() => Err(Self::EmptyInterval { operand, index }),
             Some(index) => Err(Self::NonFinite { operand, index }),
         }
+    }
+
+    /// Whether the same function may be enclosed on another box.
+    pub(crate) fn is_of_the_box(&self) -> bool {
+        matches!(
+            self,
+            Self::NotSmooth { .. }
+                | Self::UnboundedResult { .. }
+                | Self::NonFinite { .. }
+                | Self::NoAPrioriEnclosure { .. }
+        )
     }
 
     /// `Ok` if every output of a jet is proven to be as smooth as `required`.

@@ -4,7 +4,7 @@ use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
 use setrep::{IntervalVector, Matrix, VPolytope, Zonotope};
 
-use crate::affine::evaluate;
+use crate::function::evaluate;
 use crate::{BoundError, DynFunction, Expansion, Jet, Operand, Order, Smoothness};
 
 /// `f(x) = f(x_0) + J (x - x_0)` with some `J` in `[J]` for every `x` of a box that contains `x_0`; the entries of `J` depend on `x`.

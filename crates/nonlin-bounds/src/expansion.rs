@@ -87,8 +87,7 @@ impl Expansion<'_> {
 
     /// Checks everything that can be wrong with the arguments.
     fn check(&self, dim: usize, hull: &[Interval], point: &[f64]) -> Result<(), BoundError> {
-        BoundError::check_size(Operand::Hull, dim, hull.len())?;
-        BoundError::check_box(Operand::Hull, hull)?;
+        BoundError::check_box(Operand::Hull, dim, hull)?;
         BoundError::check_size(Operand::ExpansionPoint, dim, point.len())?;
         let Self::Point(given) = self else { return Ok(()) };
         BoundError::check_size(Operand::ExpansionPoint, dim, given.len())?;

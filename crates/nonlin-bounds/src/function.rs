@@ -78,9 +78,9 @@ impl<F: Function> DynFunction for F {
     }
 
     fn value(&self, x: &[f64], p: &[f64], y: &mut [f64]) -> Result<(), BoundError> {
-        check_length(Operand::Variables, Function::variables(self), x.len())?;
-        check_length(Operand::Parameters, Function::parameters(self), p.len())?;
-        check_length(Operand::Outputs, Function::outputs(self), y.len())?;
+        BoundError::check_size(Operand::Variables, Function::variables(self), x.len())?;
+        BoundError::check_size(Operand::Parameters, Function::parameters(self), p.len())?;
+        BoundError::check_size(Operand::Outputs, Function::outputs(self), y.len())?;
         self.eval(x, p, y);
         Ok(())
     }
@@ -90,19 +90,23 @@ impl<F: Function> DynFunction for F {
     }
 }
 
-/// A slice of the right length.
-pub(crate) fn check_length(operand: Operand, expected: usize, found: usize) -> Result<(), BoundError> {
-    if found == expected { Ok(()) } else { Err(BoundError::Dimension { operand, expected, found }) }
-}
-
-/// A box that a function can be evaluated over: the right length, nonempty and bounded.
-pub(crate) fn check_box(operand: Operand, expected: usize, x: &[Interval]) -> Result<(), BoundError> {
-    check_length(operand, expected, x.len())?;
-    if let Some(index) = x.iter().position(Interval::is_empty) {
-        return Err(BoundError::EmptyInterval { operand, index });
-    }
-    match x.iter().position(|x| !x.is_bounded()) {
-        Some(index) => Err(BoundError::NonFinite { operand, index }),
-        None => Ok(()),
-    }
+/// [`f.enclose`](DynFunction::enclose) for whoever implemented `f`: the jet then has the right shape, and what `f` did not write is the
+/// whole line, nothing proven.
+pub(crate) fn evaluate(
+    f: &dyn DynFunction,
+    order: Order,
+    x: &[Interval],
+    p: &[Interval],
+    jet: &mut Jet,
+) -> Result<(), BoundError> {
+    let (n, m) = (f.variables(), f.outputs());
+    jet.reset(order, n, m);
+    f.enclose(order, x, p, jet)?;
+    // Derivatives of a higher order than asked for do no harm.
+    let gradient = if order >= Order::Jacobian { m * n } else { 0 };
+    let hessian = if order >= Order::Hessian { m * (n * (n + 1) / 2) } else { 0 };
+    BoundError::check_size(Operand::Variables, n, jet.variables())?;
+    BoundError::check_size(Operand::Outputs, m, jet.outputs())?;
+    BoundError::check_size(Operand::Outputs, gradient, jet.jacobian().len().min(gradient))?;
+    BoundError::check_size(Operand::Outputs, hessian, jet.hessians().len().min(hessian))
 }

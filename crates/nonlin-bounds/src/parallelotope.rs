@@ -56,7 +56,7 @@ impl Parallelotope {
             axis.iter().zip(&center).fold(Interval::ZERO, |sum, (&u, &c)| sum + Interval::point(c).scale(u))
         };
         let sides: Vec<Interval> = axes.columns().zip(&extents).map(|(axis, extent)| *extent - along(axis)).collect();
-        BoundError::check_box(crate::Operand::Hull, &sides)?;
+        BoundError::check_box(crate::Operand::Hull, n, &sides)?;
         Ok(Self { center, sides, axes, error })
     }
 

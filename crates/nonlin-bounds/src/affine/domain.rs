@@ -2,7 +2,7 @@
 
 use scalars::Interval;
 
-use super::evaluate;
+use crate::function::evaluate;
 use crate::{BoundError, DynFunction, Operand, Order, Workspace};
 
 /// Where a function `f(x, p)` is enclosed: a box of its variables, an expansion point, the parameters, and which of the variables are
@@ -49,13 +49,13 @@ impl<'a> Domain<'a> {
     /// `Ok` if box, point and parameters fit the function.
     pub(crate) fn check(&self, f: &dyn DynFunction) -> Result<(), BoundError> {
         let n = f.variables();
-        BoundError::check_size(Operand::Hull, n, self.hull.len())?;
+        BoundError::check_box(Operand::Hull, n, self.hull)?;
         BoundError::check_size(Operand::ExpansionPoint, n, self.at.len())?;
         BoundError::check_size(Operand::Parameters, f.parameters(), self.parameters.len())?;
-        if let Some(index) = self.at.iter().position(|x| !x.is_finite()) {
-            return Err(BoundError::NonFinite { operand: Operand::ExpansionPoint, index });
+        match self.at.iter().position(|x| !x.is_finite()) {
+            Some(index) => Err(BoundError::NonFinite { operand: Operand::ExpansionPoint, index }),
+            None => Ok(()),
         }
-        BoundError::check_box(Operand::Hull, self.hull)
     }
 
     /// Evaluates `f` over the box and the expansion point to the workspace.

@@ -10,6 +10,7 @@ pub use domain::Domain;
 use scalars::Interval;
 use setrep::Matrix;
 
+use crate::function::evaluate;
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
 
 /// How a function is enclosed by an affine one. With `gamma` the expansion point, `H` the box, `d = H - gamma`:
@@ -154,11 +155,7 @@ impl AffineEnclosure {
         domain.check(f)?;
         let (order, at_point) = form.orders();
         domain.evaluate(f, order, workspace)?;
-        for (output, &found) in workspace.over_box.smoothness().iter().enumerate() {
-            if found < form.needs() {
-                return Err(BoundError::NotSmooth { output, required: form.needs(), found });
-            }
-        }
+        BoundError::check_smooth(&workspace.over_box, form.needs())?;
         fit(f, domain, at_point, |_, _| form, workspace)?;
         if let Some(output) = workspace.offsets.iter().position(|e| !e.is_bounded()) {
             return Err(BoundError::UnboundedResult { output });
@@ -227,24 +224,6 @@ impl AffineEnclosure {
         core::mem::swap(&mut self.jacobian, &mut workspace.jacobian);
         core::mem::swap(&mut self.offsets, &mut workspace.offsets);
     }
-}
-
-/// `f.enclose`, whose jet is then known to have the right shape whoever implemented `f`.
-pub(crate) fn evaluate(
-    f: &dyn DynFunction,
-    order: Order,
-    x: &[Interval],
-    p: &[Interval],
-    jet: &mut Jet,
-) -> Result<(), BoundError> {
-    f.enclose(order, x, p, jet)?;
-    let (n, m) = (f.variables(), f.outputs());
-    let gradient = if order >= Order::Jacobian { m * n } else { 0 };
-    let hessian = if order >= Order::Hessian { m * (n * (n + 1) / 2) } else { 0 };
-    BoundError::check_size(Operand::Outputs, m, jet.values().len())?;
-    BoundError::check_size(Operand::Outputs, m, jet.smoothness().len())?;
-    BoundError::check_size(Operand::Outputs, gradient, jet.jacobian().len().min(gradient))?;
-    BoundError::check_size(Operand::Outputs, hessian, jet.hessians().len().min(hessian))
 }
 
 /// Whether no entry of the Hessian of an output is unbounded.

@@ -17,7 +17,6 @@ pub use newton::IntervalNewton;
 
 use scalars::Interval;
 
-use crate::function::check_length;
 use crate::{BoundError, Operand};
 
 /// What a contractor has found out. Only [`ProvenEmpty`](Self::ProvenEmpty) leaves the box as it was.
@@ -75,7 +74,7 @@ pub(crate) struct Scratch {
 
 /// Errors of a box of the wrong length or with an empty side.
 fn check_box(operand: Operand, expected: usize, sides: &[Interval]) -> Result<(), BoundError> {
-    check_length(operand, expected, sides.len())?;
+    BoundError::check_size(operand, expected, sides.len())?;
     match sides.iter().position(Interval::is_empty) {
         Some(index) => Err(BoundError::EmptyInterval { operand, index }),
         None => Ok(()),

@@ -4,6 +4,7 @@ use scalars::Interval;
 
 use super::linear::{left_inverse, revise_row};
 use super::{Conflict, Contraction, check_box, gain};
+use crate::function::evaluate;
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
 
 /// Interval Newton contraction: Krawczyk's operator and Gauss-Seidel steps, preconditioned where there are as many outputs as variables
@@ -142,15 +143,11 @@ impl Buffers {
         y: &[Interval],
         jet: &mut Jet,
     ) -> Result<(), BoundError> {
-        f.enclose(Order::Jacobian, &self.sides, p, jet)?;
-        for (output, &found) in jet.smoothness().iter().enumerate() {
-            if found < Smoothness::C1 {
-                return Err(BoundError::NotSmooth { output, required: Smoothness::C1, found });
-            }
-        }
+        evaluate(f, Order::Jacobian, &self.sides, p, jet)?;
+        BoundError::check_smooth(jet, Smoothness::C1)?;
         self.mid.clear();
         self.mid.extend(self.sides.iter().map(|side| Interval::point(side.mid())));
-        f.enclose(Order::Value, &self.mid, p, &mut self.at_mid)?;
+        evaluate(f, Order::Value, &self.mid, p, &mut self.at_mid)?;
         self.offsets.clear();
         self.offsets.extend(self.sides.iter().zip(&self.mid).map(|(&side, &mid)| side - mid));
         self.residuals.clear();
@@ -169,7 +166,7 @@ impl Buffers {
         }
         self.jacobian_mid.clear();
         self.jacobian_mid.extend(j.iter().map(Interval::mid));
-        if m < n || !left_inverse(&self.jacobian_mid, m, n, &mut self.inverse, &mut self.normal) {
+        if n == 0 || m < n || !left_inverse(&self.jacobian_mid, m, n, &mut self.inverse, &mut self.normal) {
             return Ok(false);
         }
         self.precondition(j, m, n);

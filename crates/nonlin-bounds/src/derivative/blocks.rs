@@ -8,7 +8,6 @@ use scalars::{Interval, Scalar};
 
 use super::second::packed;
 use super::{Decorated, Dual, Second};
-use crate::function::check_box;
 use crate::{BoundError, Function, Jet, Operand, Order, Smoothness};
 
 /// A number type that passes are made with.
@@ -162,8 +161,8 @@ pub(crate) fn enclose<F: Function>(
     p: &[Interval],
     jet: &mut Jet,
 ) -> Result<(), BoundError> {
-    check_box(Operand::Variables, f.variables(), x)?;
-    check_box(Operand::Parameters, f.parameters(), p)?;
+    BoundError::check_box(Operand::Variables, f.variables(), x)?;
+    BoundError::check_box(Operand::Parameters, f.parameters(), p)?;
     match (order, x.len()) {
         (Order::Value, _) | (_, 0) => values(f, order, x, p, jet),
         (Order::Jacobian, ..=2) => jacobian::<_, Dual<Interval, 2, Decorated>>(f, x, p, jet),

@@ -61,10 +61,9 @@ impl Decorated {
         self.smoothness
     }
 
-    /// A constant that is a number only if `valid`.
-    fn checked(range: Interval, valid: bool) -> Self {
-        let smoothness = if valid { Smoothness::C2 } else { Smoothness::Undefined };
-        Self { range, smoothness, varies: false }
+    /// A constant of the program text: a number only if its range is bounded and not empty.
+    fn literal(range: Interval) -> Self {
+        Self { range, smoothness: if_smooth(range.is_bounded()), varies: false }
     }
 
     /// The same quantity with at most `limit` proven; of what does not vary, only whether it is defined matters.
@@ -186,17 +185,16 @@ macro_rules! smooth {
 
 impl Scalar for Decorated {
     fn from_f64(x: f64) -> Self {
-        Self::checked(Interval::from_f64(x), x.is_finite())
+        Self::literal(Interval::from_f64(x))
     }
     fn lit(lo: f64, hi: f64) -> Self {
-        Self::checked(Interval::lit(lo, hi), Interval::new(lo, hi).is_ok())
+        Self::literal(Interval::new(lo, hi).unwrap_or(Interval::ENTIRE))
     }
     fn ratio(p: i64, q: i64) -> Self {
-        Self::checked(Interval::ratio(p, q), q != 0)
+        Self::literal(Interval::ratio(p, q))
     }
     fn decimal(text: &str) -> Self {
-        let range = Interval::decimal(text);
-        Self::checked(range, range != Interval::ENTIRE)
+        Self::literal(Interval::decimal(text))
     }
     fn pi() -> Self {
         Self::constant(Interval::PI)

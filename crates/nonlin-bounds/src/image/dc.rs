@@ -4,6 +4,7 @@ use scalars::Interval;
 use scalars::rounding::{add_up, div_up, mul_up};
 use setrep::{ConstrainedZonotope, IntervalMatrix, Zonotope};
 
+use crate::function::evaluate;
 use crate::parallelotope::Parallelotope;
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
 
@@ -116,8 +117,7 @@ impl ConvexSplit<'_> {
     fn check(&self, dim: usize, p: &[Interval]) -> Result<(), BoundError> {
         let f = self.function();
         BoundError::check_size(Operand::Variables, f.variables(), dim)?;
-        BoundError::check_size(Operand::Parameters, f.parameters(), p.len())?;
-        BoundError::check_box(Operand::Parameters, p)?;
+        BoundError::check_box(Operand::Parameters, f.parameters(), p)?;
         let Self::Given { plus, minus } = self else { return Ok(()) };
         BoundError::check_size(Operand::Variables, plus.variables(), minus.variables())?;
         BoundError::check_size(Operand::Parameters, plus.parameters(), minus.parameters())?;
@@ -178,7 +178,7 @@ impl<'a> Expanded<'a> {
     fn at(f: &'a dyn DynFunction, frame: &Parallelotope, p: &'a [Interval]) -> Result<Self, BoundError> {
         let center: Vec<Interval> = frame.center.iter().map(|&c| Interval::point(c)).collect();
         let mut jet = Jet::new();
-        f.enclose(Order::Jacobian, &center, p, &mut jet)?;
+        evaluate(f, Order::Jacobian, &center, p, &mut jet)?;
         BoundError::check_smooth(&jet, Smoothness::C1)?;
         Ok(Self { f, p, jet })
     }
@@ -194,7 +194,7 @@ impl<'a> Expanded<'a> {
         frame.each_vertex(|zeta| {
             frame.offset(zeta, &mut offset);
             vertex.iter_mut().zip(offset.iter().zip(&frame.center)).for_each(|(v, (o, &c))| *v = o.add_f64(c));
-            self.f.enclose(Order::Value, &vertex, self.p, &mut jet)?;
+            evaluate(self.f, Order::Value, &vertex, self.p, &mut jet)?;
             for (i, largest) in largest.iter_mut().enumerate() {
                 let slopes = &self.jet.jacobian()[i * n..(i + 1) * n];
                 let linear = slopes.iter().zip(&offset).fold(self.jet.values()[i], |sum, (j, o)| sum + *j * *o);
@@ -219,7 +219,7 @@ fn automatic_errors(
 ) -> Result<Vec<(f64, f64)>, BoundError> {
     let (m, n) = (f.outputs(), frame.center.len());
     let mut jet = Jet::new();
-    f.enclose(Order::Hessian, &frame.hull(), p, &mut jet)?;
+    evaluate(f, Order::Hessian, &frame.hull(), p, &mut jet)?;
     BoundError::check_smooth(&jet, Smoothness::C2)?;
     let (mut convex, mut concave) = (Vec::with_capacity(m * n), Vec::with_capacity(m * n));
     for packed in jet.hessians().chunks_exact((n * (n + 1) / 2).max(1)) {

@@ -6,7 +6,6 @@ use super::check_field;
 use super::series::Series;
 use crate::buffer::with_zeros;
 use crate::derivative::{self, Enclosure, Evaluate};
-use crate::function::{check_box, check_length};
 use crate::{BoundError, Decorated, Dual, DynFunction, Function, Jet, Operand, Order, Smoothness};
 
 /// Number of Taylor coefficients: order four and the remainder.
@@ -101,20 +100,16 @@ impl<F: Function> Flow<F> {
                 break;
             }
             if image.iter().zip(&*b).all(|(y, b)| y.all_ranges(b, |y, b| y.subset_of(&b))) {
-                // The image is an enclosure too, and so is each further one.
+                // The exact image of a part of `b` lies in the image found and, if that of `b` does, in `b`: the intersection of both
+                // holds its own exact image, however the computed ones round. Smooth there, the field has a solution that stays.
                 for _ in 0..2 {
                     for (b, image) in b[..n].iter_mut().zip(&*image) {
-                        *b = b.zip_ranges(image, |_, image| image);
+                        *b = b.zip_ranges(image, Interval::intersection);
                     }
                     self.picard(x, b, p, span, image);
+                    check_smooth(image)?;
                 }
-                return match image.iter().position(|y| y.value().smoothness() < Smoothness::C2) {
-                    Some(output) => {
-                        let found = image[output].value().smoothness();
-                        Err(BoundError::NotSmooth { output, required: Smoothness::C2, found })
-                    }
-                    None => Ok(()),
-                };
+                return Ok(());
             }
         }
         Err(BoundError::NoAPrioriEnclosure { step: span.value().range().mag() })
@@ -123,6 +118,14 @@ impl<F: Function> Flow<F> {
 
 /// Attempts to find an a-priori enclosure, each with twice the growth of the one before.
 const ATTEMPTS: u32 = 12;
+
+/// `Ok` if all outputs are proven to be `C2`.
+fn check_smooth<D: Enclosure>(y: &[D]) -> Result<(), BoundError> {
+    match y.iter().map(|y| y.value().smoothness()).enumerate().find(|&(_, found)| found < Smoothness::C2) {
+        Some((output, found)) => Err(BoundError::NotSmooth { output, required: Smoothness::C2, found }),
+        None => Ok(()),
+    }
+}
 
 /// The interval with `growth` of its width added on each side, and a little of its magnitude.
 fn widened(x: Interval, growth: f64) -> Interval {
@@ -150,13 +153,7 @@ impl<F: Function, D: Enclosure> Evaluate<D> for Flow<F> {
                     // Horner's rule, the remainder innermost.
                     *y = (0..TERMS - 1).rev().fold(*y, |sum, k| sum * step[0] + series.coefficient(k));
                 }
-                match y.iter().position(|y| y.value().smoothness() < Smoothness::C2) {
-                    Some(output) => {
-                        let found = y[output].value().smoothness();
-                        Err(BoundError::NotSmooth { output, required: Smoothness::C2, found })
-                    }
-                    None => Ok(()),
-                }
+                check_smooth(y)
             })
         })
     }
@@ -177,9 +174,9 @@ impl<F: Function> DynFunction for Flow<F> {
 
     /// The Taylor polynomial of the solution, of degree five.
     fn value(&self, x: &[f64], p: &[f64], y: &mut [f64]) -> Result<(), BoundError> {
-        check_length(Operand::Variables, DynFunction::variables(self), x.len())?;
-        check_length(Operand::Parameters, DynFunction::parameters(self), p.len())?;
-        check_length(Operand::Outputs, DynFunction::outputs(self), y.len())?;
+        BoundError::check_size(Operand::Variables, DynFunction::variables(self), x.len())?;
+        BoundError::check_size(Operand::Parameters, DynFunction::parameters(self), p.len())?;
+        BoundError::check_size(Operand::Outputs, DynFunction::outputs(self), y.len())?;
         let (p, step) = p.split_at(self.field.parameters());
         with_zeros(x.len(), |solution| {
             self.solve(x, p, TERMS - 1, solution);
@@ -191,8 +188,8 @@ impl<F: Function> DynFunction for Flow<F> {
     }
 
     fn enclose(&self, order: Order, x: &[Interval], p: &[Interval], jet: &mut Jet) -> Result<(), BoundError> {
-        check_box(Operand::Variables, DynFunction::variables(self), x)?;
-        check_box(Operand::Parameters, DynFunction::parameters(self), p)?;
+        BoundError::check_box(Operand::Variables, DynFunction::variables(self), x)?;
+        BoundError::check_box(Operand::Parameters, DynFunction::parameters(self), p)?;
         let mut draft = jet.scratch.draft.take().unwrap_or_default();
         let result = match order {
             Order::Hessian => Err(BoundError::OrderNotAvailable { order: 2 }),

@@ -313,11 +313,12 @@ impl<S: Scalar, const K: usize> Scalar for Series<S, K> {
         weights[0] = 1.0;
         for j in 1..self.known {
             for i in (0..j).rev() {
-                weights[i + 1] += 0.5 * (k + j - 1 + i) as f64 * weights[i];
+                weights[i + 1] += 0.5 * k.saturating_add(j - 1 + i) as f64 * weights[i];
                 weights[i] *= -0.5;
             }
             factorial *= j as i64;
-            let derivative = (0..=j).fold(S::zero(), |sum, i| sum + at.stumpff(k + j + i).scale(weights[i]));
+            let derivative =
+                (0..=j).fold(S::zero(), |sum, i| sum + at.stumpff(k.saturating_add(j + i)).scale(weights[i]));
             terms[j] = derivative / S::ratio(factorial, 1);
         }
         let step = self.with_first(S::zero());

@@ -2,11 +2,13 @@
 
 mod products;
 
+pub(crate) use products::is_model_size;
+
 use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
 use setrep::{ConstrainedZonotope, Matrix};
 
-use crate::affine::evaluate;
+use crate::function::evaluate;
 use crate::{AffineEnclosure, BoundError, Domain, DynFunction, GeneratorSet, Operand, Order, Smoothness, Workspace};
 
 /// Which coordinates the term `2 L G xi` of Lemma 2 depends on.
@@ -74,11 +76,7 @@ impl QuadraticEnclosure {
         domain.check(f)?;
         BoundError::check_size(Operand::Variables, f.variables(), set.dim())?;
         domain.evaluate(f, Order::Hessian, workspace)?;
-        for (output, &found) in workspace.over_box.smoothness().iter().enumerate() {
-            if found < Smoothness::C2 {
-                return Err(BoundError::NotSmooth { output, required: Smoothness::C2, found });
-            }
-        }
+        BoundError::check_smooth(&workspace.over_box, Smoothness::C2)?;
         workspace.point.clear();
         workspace.point.extend(domain.at.iter().map(|&x| Interval::point(x)));
         evaluate(f, Order::Jacobian, &workspace.point, domain.parameters, &mut workspace.at_point)?;
@@ -272,7 +270,7 @@ impl Parts {
         for j in 0..n {
             sum = add_up(sum, mul_up(2.0 * self.cross[j].mag(), self.rest[j]));
             for (k, entry) in (j..n).zip(&mut entries) {
-                let half = 0.5 * entry.mag();
+                let half = mul_up(0.5, entry.mag());
                 let reach = |k: usize| add_up(2.0 * self.steps[k].mag(), self.rest[k]);
                 sum = add_up(sum, mul_up(half, mul_up(self.rest[j], reach(k))));
                 if j < k {

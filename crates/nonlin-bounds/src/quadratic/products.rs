@@ -6,9 +6,6 @@ use setrep::{ConstrainedZonotope, Zonotope};
 
 use super::{Parts, midpoint, multiply};
 
-/// A component of the remainder above this share of the generators' extent is a generator of its own.
-const MODEL_SIZE: f64 = 1e-9;
-
 impl Parts {
     /// Splits the set into columns, with the large components of the remainder, and a rest.
     pub(super) fn split(&mut self, body: &Zonotope) {
@@ -19,7 +16,7 @@ impl Parts {
         self.zeros.resize(body.dim(), 0.0);
         for k in 0..body.dim() {
             let extent: f64 = body.generators().columns().map(|column| column[k].abs()).sum();
-            if self.rest[k] > MODEL_SIZE * extent {
+            if is_model_size(self.rest[k], extent, body.center()[k]) {
                 self.zeros[k] = self.rest[k];
                 // A column of the set's own dimension.
                 let _ = self.columns.push_col(&self.zeros);
@@ -143,4 +140,9 @@ impl Parts {
             }
         }
     }
+}
+
+/// Whether a component of a remainder is more than rounding next to the generators' extent and the center: it is a generator of its own.
+pub(crate) fn is_model_size(r: f64, extent: f64, center: f64) -> bool {
+    r > 1e-9 * extent && r > 1e-12 * center.abs()
 }

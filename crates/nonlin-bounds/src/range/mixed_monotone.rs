@@ -11,6 +11,7 @@ use scalars::Interval;
 use scalars::rounding::{add_up, mul_up};
 
 use super::Scratch;
+use crate::function::evaluate;
 use crate::signs::{Purpose, Signs};
 use crate::{BoundError, DynFunction, Order};
 
@@ -36,7 +37,7 @@ pub(super) fn tighten(
             scratch.point.clear();
             let at = |j: usize| if scratch.signs.rises(j) == low { x[j].lo() } else { x[j].hi() };
             scratch.point.extend((0..n).map(|j| Interval::point(at(j))));
-            f.enclose(Order::Value, &scratch.point, p, &mut scratch.at)?;
+            evaluate(f, Order::Value, &scratch.point, p, &mut scratch.at)?;
             Ok::<_, BoundError>(scratch.at.values()[i])
         };
         let bound = Signs::between(corner(true)?, corner(false)?, loss);

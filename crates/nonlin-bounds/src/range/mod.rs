@@ -13,6 +13,7 @@ mod tight;
 use scalars::Interval;
 pub(crate) use tight::enclose_as_far_as_possible;
 
+use crate::function::evaluate;
 use crate::signs::Signs;
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
 
@@ -98,17 +99,15 @@ pub fn range(
     workspace: &mut Workspace,
     y: &mut [Interval],
 ) -> Result<(), BoundError> {
-    BoundError::check_size(Operand::Variables, f.variables(), x.len())?;
-    BoundError::check_size(Operand::Parameters, f.parameters(), p.len())?;
+    BoundError::check_box(Operand::Variables, f.variables(), x)?;
+    BoundError::check_box(Operand::Parameters, f.parameters(), p)?;
     BoundError::check_size(Operand::Outputs, f.outputs(), y.len())?;
-    BoundError::check_box(Operand::Variables, x)?;
-    BoundError::check_box(Operand::Parameters, p)?;
     let scratch = &mut workspace.range;
     scratch.bounds.clear();
     scratch.bounds.resize(y.len(), Interval::ENTIRE);
     match method {
         RangeMethod::Natural => {
-            f.enclose(Order::Value, x, p, &mut scratch.over)?;
+            evaluate(f, Order::Value, x, p, &mut scratch.over)?;
             scratch.keep(natural::range);
         }
         RangeMethod::MeanValue => {
@@ -124,7 +123,7 @@ pub fn range(
             scratch.keep(second_order::range);
         }
         RangeMethod::MixedMonotone => {
-            f.enclose(Order::Jacobian, x, p, &mut scratch.over)?;
+            evaluate(f, Order::Jacobian, x, p, &mut scratch.over)?;
             BoundError::check_smooth(&scratch.over, Smoothness::C1)?;
             (0..y.len()).try_for_each(|i| mixed_monotone::tighten(f, x, p, i, scratch))?;
         }
@@ -146,7 +145,7 @@ pub fn range(
 impl Scratch {
     /// Derivatives up to `order` over the box, which must prove them continuous, and one order less at its midpoint.
     fn expand(&mut self, f: &dyn DynFunction, x: &[Interval], p: &[Interval], order: Order) -> Result<(), BoundError> {
-        f.enclose(order, x, p, &mut self.over)?;
+        evaluate(f, order, x, p, &mut self.over)?;
         let (required, below) =
             if order == Order::Hessian { (Smoothness::C2, Order::Jacobian) } else { (Smoothness::C1, Order::Value) };
         BoundError::check_smooth(&self.over, required)?;
@@ -166,7 +165,7 @@ impl Scratch {
         self.point.extend(x.iter().map(|side| Interval::point(choose(side))));
         self.offsets.clear();
         self.offsets.extend(x.iter().zip(&self.point).map(|(side, c)| *side - *c));
-        f.enclose(order, &self.point, p, &mut self.at)
+        evaluate(f, order, &self.point, p, &mut self.at)
     }
 
     /// Intersects the range of every output with what a method finds.

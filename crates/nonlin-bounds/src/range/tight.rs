@@ -3,6 +3,7 @@
 use scalars::Interval;
 
 use super::{Scratch, mean_value, mixed_monotone, natural, second_order, slope};
+use crate::function::evaluate;
 use crate::{BoundError, DynFunction, Jet, Order, Smoothness};
 
 /// Bounds every output by all methods for which derivatives are available and proven continuous.
@@ -53,13 +54,13 @@ pub(crate) fn enclose_as_far_as_possible(
     jet: &mut Jet,
 ) -> Result<Order, BoundError> {
     for order in [Order::Hessian, Order::Jacobian] {
-        match f.enclose(order, x, p, jet) {
+        match evaluate(f, order, x, p, jet) {
             Err(BoundError::OrderNotAvailable { .. }) => {}
             Err(error) => return Err(error),
             Ok(()) => return Ok(order),
         }
     }
-    f.enclose(Order::Value, x, p, jet)?;
+    evaluate(f, Order::Value, x, p, jet)?;
     Ok(Order::Value)
 }
 
@@ -102,7 +103,7 @@ fn bound_over_faces(
             scratch.point.push(Interval::point(at));
             scratch.offsets.push(if one_signed(&slope) { Interval::ZERO } else { *side - Interval::point(at) });
         }
-        f.enclose(Order::Jacobian, &scratch.point, p, &mut scratch.at)?;
+        evaluate(f, Order::Jacobian, &scratch.point, p, &mut scratch.at)?;
         Ok::<_, BoundError>(second_order::range(scratch, i))
     };
     let bound = face(true)?.hull(face(false)?);

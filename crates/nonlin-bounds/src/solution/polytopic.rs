@@ -61,7 +61,8 @@ pub(super) fn rows_over(
 /// Cuts a set by row `j`, `sum_i l_i low_i <= level`, with `low_i` the least value of the row at vertex `i`.
 fn cut(set: VPolytope, rows: &Expanded, j: usize, level: f64) -> Result<VPolytope, SetError> {
     let low: Vec<f64> = set.vertices().columns().map(|v| rows.reach(j, v).lo()).collect();
-    if low.iter().all(|&low| low <= level) {
+    // A row without a lower bound at some vertex says nothing.
+    if low.contains(&f64::NEG_INFINITY) || low.iter().all(|&low| low <= level) {
         return Ok(set);
     }
     if low.iter().all(|&low| low > level) {

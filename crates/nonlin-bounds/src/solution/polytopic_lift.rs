@@ -1,8 +1,8 @@
 //! Solution sets in V-polytopes as constrained zonotopes: the simplex over the vertices, all rows at once.
 
 use scalars::Interval;
-use scalars::rounding::{add_up, sum_up};
-use setrep::{ConstrainedZonotope, HPolytope, Matrix, VPolytope, Zonotope};
+use scalars::rounding::add_up;
+use setrep::{ConstrainedZonotope, HPolytope, Matrix, VPolytope};
 
 use super::polytopic::rows_over;
 use crate::{BoundError, DynFunction, Expansion, Workspace};
@@ -46,28 +46,6 @@ pub fn polytopic_solution_lift(
         }
         ranges.push(Interval::new(f64::NEG_INFINITY, level.hi()).unwrap_or(Interval::ENTIRE));
     }
-    Ok(ConstrainedZonotope::with_constraints(&simplex_body(set)?, &constraints, &ranges)?)
-}
-
-/// `<c, G, r>` with `c + G xi + [-r, r]` around `sum_i (1 + xi_i) / 2 v_i` wherever these weights sum to one.
-fn simplex_body(set: &VPolytope) -> Result<Zonotope, BoundError> {
-    let (n, count) = (set.dim(), set.num_vertices());
-    let middle = set.interval_hull().mid();
-    let mut generators = Matrix::zeros(n, count);
-    let (mut center, mut remainder) = (Vec::with_capacity(n), Vec::with_capacity(n));
-    for k in 0..n {
-        // Relative to any fixed point the combination is the same; the weights make the largest error of a column the error of all.
-        let mut sum = Interval::point(middle[k]);
-        let mut lost = 0.0_f64;
-        for i in 0..count {
-            let difference = Interval::point(set.vertices()[(k, i)]) - Interval::point(middle[k]);
-            let half = difference.scale(0.5).mid();
-            generators[(k, i)] = half;
-            lost = lost.max((difference - Interval::point(half).scale(2.0)).mag());
-            sum += Interval::point(half);
-        }
-        center.push(sum.mid());
-        remainder.push(sum_up([lost, sum.rad(), set.remainder()[k]]));
-    }
-    Ok(Zonotope::with_remainder(&center, &generators, &remainder)?)
+    let simplex = ConstrainedZonotope::from_v_polytope(set)?;
+    Ok(ConstrainedZonotope::with_constraints(simplex.unconstrained(), &constraints, &ranges)?)
 }

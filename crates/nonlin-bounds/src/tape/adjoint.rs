@@ -4,7 +4,6 @@ use scalars::Interval;
 
 use super::Tape;
 use crate::derivative::{Decorated, Dual};
-use crate::function::check_box;
 use crate::{BoundError, Jet, Operand, Order, Smoothness, Workspace};
 
 /// Buffers of the passes.
@@ -37,8 +36,8 @@ impl Tape {
         jet: &mut Jet,
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
-        check_box(Operand::Variables, self.variables, x)?;
-        check_box(Operand::Parameters, self.parameters, p)?;
+        BoundError::check_box(Operand::Variables, self.variables, x)?;
+        BoundError::check_box(Operand::Parameters, self.parameters, p)?;
         jet.reset(Order::Jacobian, self.variables, self.outputs.len());
         let Buffers { values, partials, adjoints } = &mut workspace.adjoint;
         let sides = x.iter().map(|&x| Decorated::variable(x));

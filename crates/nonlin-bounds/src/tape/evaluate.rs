@@ -5,7 +5,6 @@ use scalars::Scalar;
 use super::Tape;
 use super::node::{Node, Unary};
 use super::pool::with_buffer;
-use crate::function::check_length;
 use crate::{BoundError, Function, Operand};
 
 impl Tape {
@@ -18,7 +17,7 @@ impl Tape {
     /// [`BoundError::Dimension`].
     pub fn eval_with<S: Scalar>(&self, x: &[S], p: &[S], y: &mut [S], buffer: &mut Vec<S>) -> Result<(), BoundError> {
         self.check(x.len(), p.len())?;
-        check_length(Operand::Outputs, self.outputs.len(), y.len())?;
+        BoundError::check_size(Operand::Outputs, self.outputs.len(), y.len())?;
         self.run(x.iter().chain(p).copied(), buffer);
         self.read_outputs(buffer, y);
         Ok(())
@@ -26,8 +25,8 @@ impl Tape {
 
     /// Errors of variables and parameters of the wrong number.
     pub(crate) fn check(&self, x: usize, p: usize) -> Result<(), BoundError> {
-        check_length(Operand::Variables, self.variables, x)?;
-        check_length(Operand::Parameters, self.parameters, p)
+        BoundError::check_size(Operand::Variables, self.variables, x)?;
+        BoundError::check_size(Operand::Parameters, self.parameters, p)
     }
 
     /// Fills the buffer with the values of all slots, from those of the variables and the parameters.

@@ -6,9 +6,10 @@
 
 use std::collections::HashMap;
 
-use scalars::Interval;
+use scalars::{Interval, Scalar};
 
 use super::node::{Binary, Bits, Node, Unary};
+use crate::{Decorated, Smoothness};
 
 /// What a recorded value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -28,8 +29,8 @@ pub(super) struct Recorder {
     total: Vec<bool>,
     /// The first two constants, etc., by what they are.
     positions: HashMap<Entry, u32>,
-    /// The constants as intervals, for folding: one for each entry, the whole line where it is no constant.
-    constants: Vec<Interval>,
+    /// The constants, for folding: one for each entry, the whole line where it is no constant.
+    constants: Vec<Decorated>,
 }
 
 impl Recorder {
@@ -47,16 +48,17 @@ impl Recorder {
         if let Some(&known) = self.positions.get(&entry) {
             return known;
         }
+        let unknown = Decorated::constant(Interval::ENTIRE);
         let (total, constant) = match entry {
-            Entry::Variable(_) | Entry::Parameter(_) => (true, Interval::ENTIRE),
+            Entry::Variable(_) | Entry::Parameter(_) => (true, unknown),
             Entry::Constant(lo, hi) => {
-                let constant = Interval::new(lo.get(), hi.get()).unwrap_or(Interval::EMPTY);
-                (constant.is_bounded(), constant)
+                let constant = Decorated::lit(lo.get(), hi.get());
+                (constant.smoothness() > Smoothness::Undefined, constant)
             }
             Entry::Node(node) => {
                 let (a, b) = node.operands();
                 let total = |k: u32| self.total[k as usize];
-                (node.is_total() && total(a) && b.is_none_or(total), Interval::ENTIRE)
+                (node.is_total() && total(a) && b.is_none_or(total), unknown)
             }
         };
         // Four thousand million operations do not fit into memory; the cast can not wrap before that.
@@ -104,7 +106,7 @@ impl Recorder {
         }
     }
 
-    /// The range of an operation on constants, if it is a number up to rounding: a wide constant is not folded, so that over `f64` the
+    /// The range of an operation on constants, if it is defined and a number up to rounding: a wide constant is not folded, so that over `f64` the
     /// function stays the one written.
     fn folded(&self, node: Node) -> Option<Interval> {
         let is_constant = |k: u32| matches!(self.entry(k), Entry::Constant(..));
@@ -112,8 +114,9 @@ impl Recorder {
         if !(is_constant(a) && b.is_none_or(is_constant)) {
             return None;
         }
-        let value = node.apply(&self.constants);
-        (value.is_bounded() && value.width() <= 1e-13 * value.mag()).then_some(value)
+        let result = node.apply(&self.constants);
+        let (value, is_defined) = (result.range(), result.smoothness() > Smoothness::Undefined);
+        (is_defined && value.is_bounded() && value.width() <= 1e-13 * value.mag()).then_some(value)
     }
 
     /// The floating-point number that a constant is exactly.

@@ -114,3 +114,26 @@ fn rectangular_systems_shrink() {
     println!("six outputs for four variables: {tall:.2e} of the width, one landmark: {wide:.2e}");
     assert!(tall < 1e-12 && wide < 0.01);
 }
+
+/// Nothing to solve for, nothing to solve, or neither.
+#[test]
+fn no_variables_or_no_outputs() {
+    struct Constants(usize, usize);
+    impl Function for Constants {
+        fn variables(&self) -> usize {
+            self.0
+        }
+        fn outputs(&self) -> usize {
+            self.1
+        }
+        fn eval<S: Scalar>(&self, _: &[S], _: &[S], y: &mut [S]) {
+            y.fill(S::one());
+        }
+    }
+    for (n, m) in [(0, 0), (0, 2), (2, 0)] {
+        let (mut x, y) = (vec![interval(0.0, 1.0); n], vec![interval(0.0, 2.0); m]);
+        let outcome = IntervalNewton::default().contract(&Constants(n, m), &mut x, &[], &y, &mut Workspace::new());
+        assert!(matches!(outcome, Ok(Contraction::Undecided { .. })), "{n} {m}");
+        assert!(x.iter().all(|x| *x == interval(0.0, 1.0)));
+    }
+}

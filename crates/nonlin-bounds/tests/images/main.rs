@@ -17,6 +17,7 @@ mod dc;
 mod decomposition;
 mod exact;
 mod generated;
+mod hand_written;
 mod members;
 mod models;
 mod noises;

@@ -114,6 +114,22 @@ fn images_of_zonotopes_contain_exact_images() {
     }
 }
 
+/// A remainder of rounding size next to the center adds no coordinates, however small the set.
+#[test]
+fn rounding_around_a_point_is_no_generator() {
+    let mut w = Workspace::new();
+    let mut set = ConstrainedZonotope::from_box(&[1.0, -3.0], &[0.0; 2]).unwrap();
+    set.add_box(&[Interval::ZERO.inflate(1e-16); 2]).unwrap();
+    assert_eq!(set.num_generators(), 0);
+    let hull = set.interval_hull(&mut w.sets).unwrap();
+    let domain = Domain::new(&hull, set.center());
+    let product = nonlin_bounds::function!(|[x, y]: 2| -> 1 { [x * y] });
+    let enclosure = QuadraticEnclosure::new(&product, &set, &domain, Copies::Shared, &mut w).unwrap();
+    assert_eq!(enclosure.curvature().num_generators(), 0);
+    let image = enclosure.image(&set, &mut w).unwrap().interval_hull(&mut w.sets).unwrap()[0];
+    assert!(image.contains(-3.0) && image.width() < 3e-14, "{image:?}");
+}
+
 /// Panics if `x` is proven not to lie in the set.
 fn refute(set: &ConstrainedZonotope, x: &[Dyadic], w: &mut Workspace, context: &dyn Fn() -> String) {
     let point: Vec<Interval> = x.iter().map(|x| around(x, 0.0, 0.0)).collect();

@@ -1,7 +1,7 @@
 //! Bad input is a typed error.
 
 use nonlin_bounds::{
-    BoundError, Expansion, Function, Operand, Smoothness, Workspace, polytopic_image, polytopic_solution,
+    BoundError, Expansion, Function, Operand, Smoothness, Workspace, function, polytopic_image, polytopic_solution,
 };
 use scalars::{Interval, Scalar};
 use setrep::{HPolytope, IntervalVector, Matrix, SetError, VPolytope};
@@ -81,4 +81,14 @@ fn a_contradiction_is_proven() {
     let set = square();
     let found = polytopic_solution(&g, &set, &y, Expansion::HullCenter, &[], &mut Workspace::new());
     assert_eq!(found, Err(SetError::EmptySet.into()));
+}
+
+/// A row that has no lower bound at a vertex cuts nothing.
+#[test]
+fn a_row_without_a_bound_is_no_constraint() {
+    let steep = function!(|[x]: 1| -> 1 { [x.scale(1e200)] });
+    let set = VPolytope::new(Matrix::from_columns(&[&[-1e200], &[1e200]]).unwrap()).unwrap();
+    let y = HPolytope::from_intervals(&[Interval::new(0.0, 1.0).unwrap()]).unwrap();
+    let found = polytopic_solution(&steep, &set, &y, Expansion::HullCenter, &[], &mut Workspace::new()).unwrap();
+    assert_eq!(found.interval_hull(), set.interval_hull());
 }

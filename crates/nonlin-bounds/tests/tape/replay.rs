@@ -1,7 +1,7 @@
 //! A replay encloses what the function itself does: values the same or tighter, derivatives up to their last places, smoothness.
 
 use allocation_counter::measure;
-use nonlin_bounds::{DynFunction, Function, Jet, Order, Tape};
+use nonlin_bounds::{DynFunction, Function, Jet, Order, Smoothness, Tape, function};
 use scalars::Interval;
 
 use crate::common::functions::{Attitude, Domain, Visitor, each};
@@ -100,4 +100,33 @@ fn wrong_lengths_are_errors() {
         assert!(result.is_err());
     }
     assert!(tape.eval_with(&[0.0; 7], &[0.0; 3], &mut y, &mut Vec::new()).is_ok());
+}
+
+/// What is no number is proven nothing of, on a tape as without one, folded or not.
+#[test]
+fn constants_that_are_no_numbers_prove_nothing() {
+    macro_rules! undefined {
+        ($($constant:expr),* $(,)?) => {$({
+            let f = function!(|[x]: 1| -> 1 { [x + $constant] });
+            let (mut direct, mut replayed) = (Jet::new(), Jet::new());
+            let x = [Interval::new(0.0, 1.0).unwrap()];
+            f.enclose(Order::Hessian, &x, &[], &mut direct).unwrap();
+            Tape::record(&f).enclose(Order::Hessian, &x, &[], &mut replayed).unwrap();
+            assert_eq!(direct.smoothness(), [Smoothness::Undefined], stringify!($constant));
+            assert_eq!(replayed.smoothness(), [Smoothness::Undefined], stringify!($constant));
+        })*};
+    }
+    undefined!(
+        S::from_f64(f64::NAN).sin(),
+        S::from_f64(f64::INFINITY).atan(),
+        S::lit(f64::NEG_INFINITY, f64::INFINITY).sin(),
+        S::lit(2.0, 1.0).tanh(),
+        S::ratio(1, 0).cos(),
+        S::decimal("1.2.3").sin(),
+        S::decimal("[empty]").sin(),
+        S::from_f64(f64::NAN).scale(0.0),
+        S::from_f64(f64::NAN).powi(0),
+        S::lit(-1e-300, 0.0).sqrt(),
+        S::one().scale(f64::NAN).sin(),
+    );
 }
