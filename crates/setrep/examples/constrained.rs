@@ -37,9 +37,11 @@ fn main() -> Result<(), SetError> {
         println!("            verified: {}, missed by {:.4}", proof.verify(&wrong), proof.miss(&wrong));
     }
 
-    // The same set in n generators and at most two constraints.
+    // The same set in n generators and at most two constraints, along the directions that were measured.
     let mut small = set.clone();
-    small.reencode(Reencoding::new(2), &mut Directions::new(2), &mut workspace)?;
+    let mut directions = Directions::new(2);
+    strips.iter().try_for_each(|strip| directions.push(strip.direction()))?;
+    small.reencode(Reencoding::new(2), &mut directions, &mut workspace)?;
     println!("re-encoded: {} generators, {} constraints", small.num_generators(), small.num_constraints());
     println!(
         "            hull {:?}, area {:.4}",

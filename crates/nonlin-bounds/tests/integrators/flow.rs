@@ -113,17 +113,6 @@ fn errors() {
     assert_eq!(jet, before);
 }
 
-/// Functions `C_k` far beyond those that are tabulated: zero in floating point, nothing proven over intervals.
-#[test]
-fn a_huge_order_of_a_stumpff_function() {
-    let flow = Flow::new(function!(|[x]: 1| -> 1 { [x.stumpff(usize::MAX)] })).unwrap();
-    let mut y = [0.0];
-    flow.value(&[0.5], &[0.125], &mut y).unwrap();
-    assert!((y[0] - 0.5).abs() < 1e-15, "{y:?}");
-    let result = flow.enclose(Order::Value, &[interval(0.0, 1.0)], &[Interval::point(0.125)], &mut Jet::new());
-    assert!(result.is_err());
-}
-
 /// A step in steady state allocates nothing.
 #[test]
 fn steady_state_allocates_nothing() {
