@@ -2,7 +2,7 @@
 
 use scalars::Interval;
 use scalars::rounding::add_up;
-use setrep::{MAX_FACES, Matrix, SetError, VPolytope};
+use setrep::{MAX_FACES, Matrix, Part, SetError, VPolytope};
 
 use crate::expanded::Expanded;
 use crate::{BoundError, DynFunction, Expansion, Workspace};
@@ -27,7 +27,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 ///
 /// # Errors
 /// [`BoundError::Dimension`], [`BoundError::NonFinite`]; [`BoundError::NotSmooth`] unless every output is proven `C1` on the hull;
-/// [`BoundError::UnboundedResult`]; [`SetError::OverBudget`] beyond [`MAX_FACES`] corners or facets.
+/// [`BoundError::UnboundedResult`]; [`SetError::ZeroDimension`] for a function without outputs, [`SetError::OverBudget`] beyond
+/// [`MAX_FACES`] corners or facets.
 pub fn polytopic_image(
     f: &dyn DynFunction,
     set: &VPolytope,
@@ -37,6 +38,10 @@ pub fn polytopic_image(
 ) -> Result<VPolytope, BoundError> {
     let expanded = Expanded::over(f, set, at, p, &mut workspace.jet)?;
     let m = expanded.outputs();
+    // A function without outputs has an image without coordinates, which no polytope is.
+    if m == 0 {
+        return Err(SetError::ZeroDimension { part: Part::Map }.into());
+    }
     let mut boxes = Vec::with_capacity(m * set.num_vertices());
     for vertex in set.vertices().columns() {
         boxes.extend((0..m).map(|i| expanded.reach(i, vertex)));

@@ -92,3 +92,12 @@ fn a_row_without_a_bound_is_no_constraint() {
     let found = polytopic_solution(&steep, &set, &y, Expansion::HullCenter, &[], &mut Workspace::new()).unwrap();
     assert_eq!(found.interval_hull(), set.interval_hull());
 }
+
+/// An image without coordinates is no polytope.
+#[test]
+fn a_function_without_outputs_has_no_polytope() {
+    let none = function!(|[_x]: 1| -> 0 { [] });
+    let set = VPolytope::from_intervals(&[Interval::ONE]).unwrap();
+    let image = polytopic_image(&none, &set, Expansion::HullCenter, &[], &mut Workspace::new());
+    assert!(matches!(image, Err(BoundError::Set(SetError::ZeroDimension { .. }))), "{image:?}");
+}

@@ -16,6 +16,9 @@ impl HPolytope {
     /// A row is kept when rounding leaves a doubt (rows that touch the set, and so all that are redundant by a tie but are not equal
     /// to another one). Sets that are flat, empty or not proven bounded keep all rows but those equal to another.
     ///
+    /// Among rows of very different scales the dropped ones may be those that a [bounding box](Self::bounding_box) is easily proven from:
+    /// take the box first where that matters.
+    ///
     /// **Guarantee:** exact, the same set.
     ///
     /// # Errors

@@ -179,14 +179,18 @@ impl VPolytope {
         }
         let hull = self.interval_hull().iter().fold(Interval::ONE, |product, side| product.scale(side.width()));
         let mut upper = hull.hi();
-        if let Some(t) = self.growth(&facets).filter(|_| !flat) {
+        if flat {
+            return Ok(inner.hull(Interval::point(upper)));
+        }
+        if let Some(t) = self.growth(&facets) {
             let factor = Interval::ONE.add_f64(t);
             upper = upper.min((0..n).fold(inner, |product, _| product * factor).hi());
         }
         Ok(inner.hull(Interval::point(upper)))
     }
 
-    /// `t` with `[-r, r]` in `t (P - x)`, `x` the mean of the vertices; `None` where rounding hides that `x` lies inside.
+    /// `t` with `[-r, r]` in `t (P - x)`, `x` the mean of the vertices; `None` where rounding hides that `x` lies inside. For facets of
+    /// all coordinates: `P` is not flat.
     fn growth(&self, facets: &Facets) -> Option<f64> {
         let center = self.column_mean();
         let mut largest = 0.0_f64;

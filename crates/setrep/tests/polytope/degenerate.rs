@@ -147,3 +147,13 @@ fn nearly_degenerate_boxes() {
     let volume = turned.volume().unwrap();
     assert!(volume.lo() > 0.0 && volume.width() < 1e-11 * volume.hi(), "{volume:?}");
 }
+
+/// Flat but for its remainder: no facets of all coordinates, the volume is between nothing and that of the hull.
+#[test]
+fn volume_of_a_flat_polytope_with_a_remainder() {
+    let segment = Matrix::from_rows(&[&[0.0, 1.0], &[0.0, 0.0]]).unwrap();
+    let set = VPolytope::with_remainder(segment, &[1e-3, 1e-3]).unwrap();
+    let volume = set.volume().unwrap();
+    // (1 + 2e-3) 2e-3.
+    assert!(volume.contains(2.004e-3) && volume.lo() == 0.0 && volume.hi() < 2.005e-3, "{volume:?}");
+}
