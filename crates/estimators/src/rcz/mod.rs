@@ -28,7 +28,8 @@ use scratch::Scratch;
 ///   if many have come without a prediction.
 ///
 /// A call that fails leaves the filter as it was, a proven contradiction ([`EstimatorError::Inconsistent`]) included: the predicted set
-/// is kept, and the caller may go on without the measurement. A step in steady state allocates nothing.
+/// is kept, and the caller may go on without the measurement. A step in steady state allocates nothing, unless the measurement noise mixes
+/// the outputs (its generators are then copied).
 ///
 /// **Guarantee:** [`Guarantee::Rigorous`]. If the first state lies in the initial set, noises keep their bounds and the invariant holds,
 /// every state lies in [`enclosure`](Estimator::enclosure) and in [`hull`](Self::hull), remainders and rounding included.
