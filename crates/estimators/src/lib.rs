@@ -68,7 +68,7 @@ pub use set_filter::{
     DelayedFilter, Fault, FaultPolicy, FilterState, Inflate, Measured, Method, Phase, Recovery, SetFilter,
 };
 pub use system::{Invariant, Relation, System};
-pub use zonotopic::{ZonotopeFilter, ZonotopeOptions, ZonotopicMethod};
+pub use zonotopic::{StripForm, ZonotopeFilter, ZonotopeOptions, ZonotopicMethod};
 pub use zsmf::{Model, Zsmf};
 
 /// The README's example is a doctest.

@@ -1,6 +1,6 @@
 //! Buffers of a [`ZonotopeFilter`](crate::ZonotopeFilter), and where its predictions expand.
 
-use nonlin_bounds::{AffineEnclosure, OutputStrip, QuadraticEnclosure, Workspace};
+use nonlin_bounds::{AffineEnclosure, OutputStrip, QuadraticEnclosure, Rows, Workspace};
 use scalars::Interval;
 use setrep::Zonotope;
 
@@ -15,6 +15,9 @@ pub struct Scratch {
     pub(super) enclosure: AffineEnclosure,
     pub(super) quadratic: Option<QuadraticEnclosure>,
     pub(super) strip: OutputStrip,
+    pub(super) rows: Rows,
+    /// The direction of a strip.
+    pub(super) direction: Vec<f64>,
     pub(super) stacked: Stacked,
     /// The hull of a set.
     pub(super) own: Vec<Interval>,
