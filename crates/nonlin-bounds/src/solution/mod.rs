@@ -11,5 +11,5 @@ mod polytopic_lift;
 
 pub use affine::{Rows, affine_solution};
 pub use decomposition::decomposition_solution;
-pub use polytopic::polytopic_solution;
+pub use polytopic::{PolytopicCut, polytopic_solution, polytopic_strips};
 pub use polytopic_lift::polytopic_solution_lift;
