@@ -124,7 +124,8 @@ impl Method for DecomposedConstrained {
         if let Some(Measured { values, parameters }) = measured {
             state.set.product_assign_zonotope(system.measurement_noise());
             let g = system.measurement().function();
-            state.set = decomposition_solution(g, &state.set, values, parameters, &mut scratch.bounds)?.project(&states)?;
+            state.set =
+                decomposition_solution(g, &state.set, values, parameters, &mut scratch.bounds)?.project(&states)?;
             scratch.culprits.extend((0..values.len()).map(Culprit::Measurement));
             trace(Phase::Update);
         }

@@ -141,7 +141,9 @@ impl Method for VertexPolytopes {
             sides.resize(f.outputs(), Interval::ENTIRE);
             range(f, &domain, input, RangeMethod::Tight, bounds, sides)?;
             image = within(image, sides).map_err(|error| match error {
-                SetError::EmptySet => inconsistent(state.step, vec![], Evidence::Propagation { hull: state.hull.clone() }),
+                SetError::EmptySet => {
+                    inconsistent(state.step, vec![], Evidence::Propagation { hull: state.hull.clone() })
+                }
                 error => error.into(),
             })?;
         }
@@ -175,8 +177,7 @@ impl Method for VertexPolytopes {
             }
             if let Some(invariant) = system.invariant() {
                 let (relation, values) = (invariant.relation(), invariant.range());
-                let equation =
-                    Equation { relation, noise: None, values, parameters: &[], culprit: Culprit::Invariant };
+                let equation = Equation { relation, noise: None, values, parameters: &[], culprit: Culprit::Invariant };
                 equation.cut(options, state, scratch)?;
                 trace(Phase::Consistency);
             }

@@ -4,7 +4,8 @@ use nonlin_bounds::{BoundError, Conflict, Contraction, Domain, ForwardBackward};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
-use super::scratch::{Scratch, is_box, store};
+use super::scratch::{Scratch, store};
+use crate::set_filter::is_box;
 use crate::system::Relation;
 use crate::{Culprit, EstimatorError};
 

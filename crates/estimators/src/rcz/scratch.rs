@@ -2,7 +2,7 @@
 
 use nonlin_bounds::{AffineEnclosure, Rows, Workspace};
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, Directions, Matrix, Zonotope};
+use setrep::{ConstrainedZonotope, Directions, Matrix};
 
 use crate::Culprit;
 use crate::set_filter::Stacked;
@@ -42,9 +42,4 @@ pub(super) fn store<'a>(
         }
         None => slot.insert(source.clone()),
     }
-}
-
-/// Whether a noise acts along axes: its box is then the noise itself.
-pub(super) fn is_box(noise: &Zonotope) -> bool {
-    noise.generators().columns().all(|column| column.iter().filter(|g| **g != 0.0).count() <= 1)
 }

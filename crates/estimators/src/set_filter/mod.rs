@@ -5,11 +5,11 @@ mod method;
 mod stacked;
 mod state;
 
-pub(crate) use contradiction::{of_hull, of_propagation};
+pub(crate) use contradiction::{inconsistent, of_hull, of_propagation};
 pub use method::{Measured, Method, Phase};
 use scalars::Interval;
 use setrep::SupportFunction;
-pub(crate) use stacked::Stacked;
+pub(crate) use stacked::{Stacked, is_box};
 pub use state::FilterState;
 
 use crate::error::{check_finite, check_size};

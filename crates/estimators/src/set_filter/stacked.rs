@@ -26,3 +26,8 @@ impl Stacked {
         Ok(())
     }
 }
+
+/// Whether a noise acts along axes: its box is then the noise itself.
+pub(crate) fn is_box(noise: &Zonotope) -> bool {
+    noise.generators().columns().all(|column| column.iter().filter(|g| **g != 0.0).count() <= 1)
+}
