@@ -79,8 +79,8 @@ pub use range::{RangeMethod, range};
 pub use scalars;
 pub use smoothness::Smoothness;
 pub use solution::{
-    PolytopicCut, Rows, affine_solution, decomposition_solution, polytopic_solution, polytopic_solution_lift,
-    polytopic_strips,
+    OutputStrip, PolytopicCut, Rows, affine_solution, decomposition_solution, polytopic_solution,
+    polytopic_solution_lift, polytopic_strips,
 };
 pub use tape::Tape;
 pub use workspace::Workspace;
