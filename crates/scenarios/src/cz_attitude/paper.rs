@@ -1,9 +1,8 @@
 //! Tables 3 and 4 of paper 003.
 
 /// The methods, in the order of the tables.
-pub const METHODS: [&str; 12] = [
-    "zmv", "zmv+f", "czmv", "czmv+c", "czmv+f", "czmv+fc", "zfo", "zfo+f", "czfo", "czfo+c", "czfo+f", "czfo+fc",
-];
+pub const METHODS: [&str; 12] =
+    ["zmv", "zmv+f", "czmv", "czmv+c", "czmv+f", "czmv+fc", "zfo", "zfo+f", "czfo", "czfo+c", "czfo+f", "czfo+fc"];
 
 /// Average radius ratios: the method of the column over that of the row.
 pub const TABLE_3: [[f64; 12]; 12] = [

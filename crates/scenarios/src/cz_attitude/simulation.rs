@@ -17,12 +17,7 @@ use crate::truth::{TruthError, proven_within};
 ///
 /// # Errors
 /// [`ScenarioError::Truth`] if a step cannot be proven.
-pub fn simulate<R: Rng>(
-    noise: f64,
-    kind: NoiseKind,
-    steps: usize,
-    rng: &mut R,
-) -> Result<Trajectory, ScenarioError> {
+pub fn simulate<R: Rng>(noise: f64, kind: NoiseKind, steps: usize, rng: &mut R) -> Result<Trajectory, ScenarioError> {
     let bounds = [noise; 6];
     let (mut rates, mut output) = (BoxNoise::new(kind, &[RATE_NOISE; 3]), BoxNoise::new(kind, &bounds));
     let mut run = Trajectory::default();

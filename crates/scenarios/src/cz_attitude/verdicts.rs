@@ -70,7 +70,8 @@ fn zonotopes(bound: &Bound) -> String {
     for over in &cells {
         for of in cells.iter().filter(|of| of.method != over.method) {
             if let Some(paper) = paper_ratio(over, of) {
-                worst = average_ratios(of, over).iter().fold(worst, |worst, ratio| worst.max((ratio / paper - 1.0).abs()));
+                worst =
+                    average_ratios(of, over).iter().fold(worst, |worst, ratio| worst.max((ratio / paper - 1.0).abs()));
             }
         }
     }

@@ -21,9 +21,11 @@ pub fn figure_2(snapshots: &Snapshots) -> Figure {
     };
     let title = "Sets of the first steps (paper 003: Figure 2)";
     (0..STEPS).fold(Figure::new("figure-2", title, 2), |figure, k| {
-        figure
-            .with(panel(format!("k = {k}"), k, &|method| method != "rcz/cheap"))
-            .with(panel(format!("k = {k}, without zonotopes"), k, &|method| method.contains("cz")))
+        figure.with(panel(format!("k = {k}"), k, &|method| method != "rcz/cheap")).with(panel(
+            format!("k = {k}, without zonotopes"),
+            k,
+            &|method| method.contains("cz"),
+        ))
     })
 }
 

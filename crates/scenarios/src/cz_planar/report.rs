@@ -79,7 +79,11 @@ fn verdicts(studies: &[Study]) -> Vec<String> {
     };
     for method in ["czmv", "czfo", "rcz"] {
         if let Some(cell) = find(method) {
-            verdicts.push(format!("{}: radius {} on average over `k <= {AVERAGED}`.", method.to_uppercase(), average(cell)));
+            verdicts.push(format!(
+                "{}: radius {} on average over `k <= {AVERAGED}`.",
+                method.to_uppercase(),
+                average(cell)
+            ));
         }
     }
     if let (Some(rcz), Some(czfo)) = (find("rcz"), find("czfo")) {

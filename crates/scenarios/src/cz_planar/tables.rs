@@ -18,12 +18,8 @@ pub const AVERAGED: usize = 10;
 pub const CONVERGED: f64 = 1.0 / 3.0;
 
 /// Table 2 of the paper: seconds a step, in all and for reductions.
-pub const TABLE_2: [(&str, [f64; 2]); 4] = [
-    ("zmv", [30.5e-3, 4.4e-3]),
-    ("czmv", [65.3e-3, 4.8e-3]),
-    ("zfo", [47.4e-3, 6.6e-3]),
-    ("czfo", [72.2e-3, 14.2e-3]),
-];
+pub const TABLE_2: [(&str, [f64; 2]); 4] =
+    [("zmv", [30.5e-3, 4.4e-3]), ("czmv", [65.3e-3, 4.8e-3]), ("zfo", [47.4e-3, 6.6e-3]), ("czfo", [72.2e-3, 14.2e-3])];
 
 /// All rows.
 #[must_use]

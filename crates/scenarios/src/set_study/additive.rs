@@ -61,7 +61,13 @@ impl Additive<'_> {
     }
 
     /// A state near `f((x, 0); u) + w` that is reached by a noise within its bounds.
-    fn advance(&self, state: &[Interval], input: &[f64], noise: &[f64], step: usize) -> Result<Vec<f64>, ScenarioError> {
+    fn advance(
+        &self,
+        state: &[Interval],
+        input: &[f64],
+        noise: &[f64],
+        step: usize,
+    ) -> Result<Vec<f64>, ScenarioError> {
         let image = without_noise(self.dynamics, state, noise.len(), input)?;
         let next = |(component, image): (usize, &Interval)| {
             let bound = self.process[component];

@@ -99,11 +99,7 @@ pub fn follow(
 }
 
 /// Whether the state lies in the set and in the hull, as far as its enclosure tells.
-fn verdict(
-    state: &[Interval],
-    filter: &dyn SetEstimator,
-    workspace: &mut Workspace,
-) -> Result<Membership, SetError> {
+fn verdict(state: &[Interval], filter: &dyn SetEstimator, workspace: &mut Workspace) -> Result<Membership, SetError> {
     let in_hull = in_box(filter.hull(), state);
     let in_set = filter.region().membership(state, workspace)?;
     Ok(match (in_hull, in_set) {

@@ -15,9 +15,8 @@ pub fn row_of(table: &str, row: &str, cell: &Cell) -> Row {
 /// `<measure>@k` for the steps asked for; `measure` is the index of `of` in the study.
 #[must_use]
 pub fn at_steps(table: &str, row: &str, cell: &Cell, (measure, of): (usize, Measure), steps: &[usize]) -> Vec<Row> {
-    let at = |&k: &usize| {
-        row_of(table, row, cell).metric(format!("{}@{k}", of.name), of.unit).mean_of(&cell.at(measure, k))
-    };
+    let at =
+        |&k: &usize| row_of(table, row, cell).metric(format!("{}@{k}", of.name), of.unit).mean_of(&cell.at(measure, k));
     steps.iter().map(at).collect()
 }
 
@@ -51,8 +50,7 @@ pub fn containment(row: &str, cell: &Cell) -> [Row; 4] {
     let share = |metric: &str, pick: fn(&(f64, f64)) -> f64| {
         row_of(CONTAINMENT, row, cell).metric(metric, "").mean_of(&shares.iter().map(pick).collect::<Vec<_>>())
     };
-    let runs =
-        |metric: &str, count: usize| row_of(CONTAINMENT, row, cell).metric(metric, "runs").value(count as f64);
+    let runs = |metric: &str, count: usize| row_of(CONTAINMENT, row, cell).metric(metric, "runs").value(count as f64);
     [
         share("containment", |shares| shares.0),
         share("contained_proven", |shares| shares.1),

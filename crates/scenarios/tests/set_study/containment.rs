@@ -48,9 +48,13 @@ fn results_do_not_depend_on_threads() {
     let files = |threads: usize| -> Vec<(String, String)> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let context = Context { quick: true, runs: Some(1), ..Context::new(5) };
-        let outputs = pool.install(|| [PlanarExperiment.run(&context).unwrap(), AttitudeExperiment.run(&context).unwrap()]);
+        let outputs =
+            pool.install(|| [PlanarExperiment.run(&context).unwrap(), AttitudeExperiment.run(&context).unwrap()]);
         let files = outputs.iter().flat_map(|output| output.files().unwrap());
-        files.map(|file| (file.name, file.text)).filter(|(name, _)| name != "timings.json" && name != "report.md").collect()
+        files
+            .map(|file| (file.name, file.text))
+            .filter(|(name, _)| name != "timings.json" && name != "report.md")
+            .collect()
     };
     let (one, two) = (files(1), files(2));
     assert!(one.iter().any(|(name, text)| name == "results.json" && text.contains("contained_proven")));
