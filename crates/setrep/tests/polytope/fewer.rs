@@ -1,6 +1,7 @@
 //! Sets with fewer columns, without a remainder, cut by values: supersets, exactly, and not much larger.
 
 use num_traits::{Signed, Zero};
+use scalars::Interval;
 use setrep::{HPolytope, Matrix, SetError, VPolytope, Workspace};
 
 use crate::common::random::Random;
@@ -103,7 +104,7 @@ fn absorbed_remainders_are_in_the_hull() {
         let columns = points(&mut random, n, m, ALL_ENTRIES[case % 3]);
         let size = [1e-17, 1e-12, 1e-6, 1e-3][random.below(4)];
         let widths: Vec<f64> =
-            VPolytope::new(columns.clone()).unwrap().interval_hull().iter().map(|s| s.width()).collect();
+            VPolytope::new(columns.clone()).unwrap().interval_hull().iter().map(Interval::width).collect();
         let remainder: Vec<f64> = widths.iter().map(|w| size * w * random.moderate().abs()).collect();
         let set = VPolytope::with_remainder(columns, &remainder).unwrap();
         let hull = set.absorb_remainder();
