@@ -10,6 +10,9 @@
 //! | [`ZonotopeFilter`] | `R^n`, a [`System`] | zonotope: ZMV and ZFO of paper 003 | rigorous |
 //! | [`LinearCz`] | `R^n`, a [`LinearSystem`] | constrained zonotope, exact but for rounding | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
+//! | [`Vh`] | the same | polytope, by its vertices | rigorous |
+//! | [`DCz`], [`DZb`] | the same | constrained zonotope, zonotope bundle | rigorous |
+//! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
 //!
 //! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
 //! [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
@@ -50,6 +53,7 @@ pub mod gain;
 mod inconsistency;
 mod inzsmf;
 mod linear_cz;
+mod polytopic;
 mod rcz;
 mod set_filter;
 mod system;
@@ -63,6 +67,10 @@ pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
 pub use linear_cz::{LinearCz, LinearOptions, LinearSystem, NoiseForm};
+pub use polytopic::{
+    Comb, CombMember, CombOptions, DCz, DCzOptions, DCzScratch, DZb, DZbOptions, DZbScratch, DecomposedBundle,
+    DecomposedConstrained, PolytopeForm, Stability, VertexPolytopes, Vh, VhOptions, VhScratch, WidthBound, stability,
+};
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
 pub use set_filter::{
     DelayedFilter, Fault, FaultPolicy, FilterState, Inflate, Measured, Method, Phase, Recovery, SetFilter,
