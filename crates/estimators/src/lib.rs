@@ -46,6 +46,7 @@ mod estimator;
 pub mod gain;
 mod inconsistency;
 mod inzsmf;
+pub mod kalman;
 mod rcz;
 mod system;
 mod zsmf;

@@ -3,6 +3,8 @@
 //! An [`Experiment`] is found in [`all`], is given a [`Context`] and hands back an [`Output`]: rows of numbers ([`results`]), a text
 //! ([`report`]), figures ([`figure`]) and curves ([`curve`]), all in memory. Random streams and parallel runs come from [`monte_carlo`].
 
+pub mod batch_reactor;
+pub mod contest;
 pub mod curve;
 pub mod data;
 mod error;
@@ -19,6 +21,7 @@ pub mod report;
 pub mod results;
 pub mod truth;
 pub mod vehicle;
+pub mod vehicle_polar;
 pub mod wifibot;
 
 pub use curve::Curve;
