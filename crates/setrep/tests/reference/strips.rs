@@ -19,7 +19,7 @@ fn random_set(n: usize, m: usize, random: &mut Random) -> Zonotope {
 /// A strip across the set whose middle is off its center.
 fn across(set: &Zonotope, a: &[f64], random: &mut Random) -> Interval {
     let reach = set.reach(a, &mut Workspace::new()).unwrap();
-    let middle = reach.mid() + 0.6 * reach.rad() * random.moderate();
+    let middle = reach.mid() + 0.45 * reach.rad() * random.moderate();
     Interval::point(middle).inflate(reach.rad() * (0.02 + random.moderate().abs()))
 }
 
