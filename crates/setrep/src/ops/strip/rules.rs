@@ -42,7 +42,6 @@ impl Zonotope {
         if !smaller {
             return Choice::Unchanged;
         }
-<<<<<<< HEAD
         self.candidate(j, a, weights)
     }
 
@@ -70,8 +69,6 @@ impl Zonotope {
 
     /// The weights of candidate `j`.
     fn candidate(&self, j: usize, a: &[f64], weights: &mut Vec<f64>) -> Choice {
-=======
->>>>>>> main
         let column = self.generators.col(j);
         let along = dot(a, column);
         weights.clear();
