@@ -3,7 +3,9 @@
 use std::time::Instant;
 
 use estimators::kalman::{Flat, Forecast, Kalman, Motion, Observe, Sensor};
-use estimators::{Estimator, EstimatorError};
+use estimators::{Estimator, EstimatorError, SetFilter, ZfMethod};
+use scalars::Interval;
+use setrep::Membership;
 
 use crate::{Mode, Row, ScenarioError};
 
@@ -74,6 +76,37 @@ where
 
     fn holds(&self, state: &[f64; N]) -> Result<bool, ScenarioError> {
         Ok(in_box(self.center(), self.half_widths(), state))
+    }
+}
+
+/// A zonotopic filter of `N` states.
+#[derive(Debug, Clone)]
+pub struct Zonotopic<const LINEARIZED: bool>(pub SetFilter<ZfMethod<LINEARIZED>>);
+
+/// Sets of more generators than this are looked at through their hull alone: exact membership would take all their facets.
+const MEMBERSHIP_GENERATORS: usize = 60;
+
+impl<const LINEARIZED: bool, const N: usize> Contestant<N> for Zonotopic<LINEARIZED> {
+    fn advance(&mut self, y: &[f64]) -> Result<(), EstimatorError> {
+        self.0.predict(&[])?;
+        self.0.update(y)
+    }
+
+    fn center(&self) -> [f64; N] {
+        std::array::from_fn(|i| self.0.enclosure().center()[i])
+    }
+
+    fn half_widths(&self) -> [f64; N] {
+        std::array::from_fn(|i| self.0.hull()[i].rad())
+    }
+
+    fn holds(&self, state: &[f64; N]) -> Result<bool, ScenarioError> {
+        let set = self.0.enclosure();
+        if set.num_generators() > MEMBERSHIP_GENERATORS {
+            return Ok(in_box(self.center(), self.half_widths(), state));
+        }
+        let point: Vec<Interval> = state.iter().map(|&x| Interval::point(x)).collect();
+        Ok(set.membership(&point)? != Membership::ProvenOutside)
     }
 }
 

@@ -68,7 +68,7 @@ pub fn study(
     let cell = |(index, contender): (usize, &Contender)| Cell {
         label: label.to_owned(),
         method: contender.method.to_owned(),
-        mode: contender.mode,
+        mode: contender.mode(),
         runs: by_run.iter().map(|records| records[index].clone()).collect(),
     };
     Ok(contenders.iter().enumerate().map(cell).collect())
