@@ -7,6 +7,8 @@
 //! |---|---|---|---|
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
+//! | [`ZonotopeFilter`] | `R^n`, a [`System`] | zonotope: ZMV and ZFO of paper 003 | rigorous |
+//! | [`LinearCz`] | `R^n`, a [`LinearSystem`] | constrained zonotope, exact but for rounding | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //!
 //! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
@@ -43,23 +45,31 @@
 mod error;
 mod error_set;
 mod estimator;
+mod extension;
 pub mod gain;
 mod inconsistency;
 mod inzsmf;
 pub mod kalman;
+mod linear_cz;
 mod rcz;
 mod set_filter;
 mod system;
+mod zonotopic;
 mod zsmf;
 
 pub use error::EstimatorError;
 pub use estimator::{Estimator, Guarantee};
+pub use extension::Extension;
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
+pub use linear_cz::{LinearCz, LinearOptions, LinearSystem, NoiseForm};
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
-pub use set_filter::{FilterState, Measured, Method, Phase, SetFilter};
+pub use set_filter::{
+    DelayedFilter, Fault, FaultPolicy, FilterState, Inflate, Measured, Method, Phase, Recovery, SetFilter,
+};
 pub use system::{Invariant, Relation, System};
+pub use zonotopic::{LinearizedZf, Zf, ZfMethod, ZfOptions, ZonotopeFilter, ZonotopeOptions, ZonotopicMethod};
 pub use zsmf::{Model, Zsmf};
 
 /// The README's example is a doctest.

@@ -6,3 +6,4 @@ mod plants;
 mod rcz;
 #[path = "../support/mod.rs"]
 mod support;
+mod zf;
