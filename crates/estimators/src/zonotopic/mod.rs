@@ -8,6 +8,7 @@ mod zfo;
 mod zmv;
 
 pub use options::ZonotopeOptions;
+pub use zf::{LinearizedZf, Zf, ZfMethod, ZfOptions};
 use scalars::Interval;
 use setrep::{SetError, Strip, Zonotope};
 

@@ -214,7 +214,7 @@ fn cut<const LINEARIZED: bool>(
 ) -> Result<(), EstimatorError> {
     let n = state.set.dim();
     let form = if LINEARIZED { Form::MeanValue } else { options.strips };
-    for (i, &value) in equation.values.iter().enumerate().filter(|(_, value)| **value != Interval::ENTIRE) {
+    for i in (0..equation.values.len()).filter(|&i| equation.values[i] != Interval::ENTIRE) {
         let culprit = (equation.culprit)(i);
         if LINEARIZED {
             collapse(state);

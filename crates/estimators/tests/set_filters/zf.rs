@@ -69,9 +69,12 @@ fn the_state_stays_inside() {
 /// A linear system: the prediction is exact but for rounding, and strips cut a box along an axis exactly.
 #[test]
 fn linear_systems_are_moved_exactly() {
-    let step = function!(|[x, y, w]: 3| -> 2 { [x + y.scale(0.5), y + w] });
-    let first = function!(|[x, _y, v]: 3| -> 1 { [x + v] });
-    let system = System::new(Relation::new(step), boxed(&[0.25]), Relation::new(first), boxed(&[0.5])).unwrap();
+    let rows = |rows: &[&[f64]]| Matrix::from_rows(rows).unwrap();
+    let (a, b) = (rows(&[&[1.0, 0.5], &[0.0, 1.0]]), rows(&[&[0.0], &[1.0]]));
+    let (c, d) = (rows(&[&[1.0, 0.0]]), Matrix::identity(1));
+    assert!(System::linear(&a, &c, boxed(&[0.25]), &c, &d, boxed(&[0.5])).is_err());
+    assert!(System::linear(&a, &b, boxed(&[0.25; 2]), &c, &d, boxed(&[0.5])).is_err());
+    let system = System::linear(&a, &b, boxed(&[0.25]), &c, &d, boxed(&[0.5])).unwrap();
     let mut filter = Zf::new(system, boxed(&[1.0, 2.0]), ZfOptions::new(20)).unwrap();
     // The strip [-1/4, 3/4] around y = 1/4.
     filter.update(&[0.25]).unwrap();
