@@ -12,6 +12,9 @@
 //! | [`LinearizedZf`] | `R^n`, a [`System`] | the same, linearised at the center | first order |
 //! | [`LinearCz`] | `R^n`, a [`LinearSystem`] | constrained zonotope, exact but for rounding | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
+//! | [`Vh`] | the same | polytope, by its vertices | rigorous |
+//! | [`DCz`], [`DZb`] | the same | constrained zonotope, zonotope bundle | rigorous |
+//! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
 //! | [`kalman`]: `Kf`, `Ekf`, `Ukf` | `R^N`, or a Lie group | mean and covariance | statistical |
 //!
 //! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
@@ -54,6 +57,7 @@ mod inconsistency;
 mod inzsmf;
 pub mod kalman;
 mod linear_cz;
+mod polytopic;
 mod rcz;
 mod set_filter;
 mod system;
@@ -67,12 +71,18 @@ pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
 pub use linear_cz::{LinearCz, LinearOptions, LinearSystem, NoiseForm};
+pub use polytopic::{
+    Comb, CombMember, CombOptions, DCz, DCzOptions, DCzScratch, DZb, DZbOptions, DZbScratch, DecomposedBundle,
+    DecomposedConstrained, PolytopeForm, Stability, VertexPolytopes, Vh, VhOptions, VhScratch, WidthBound, stability,
+};
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
 pub use set_filter::{
     DelayedFilter, Fault, FaultPolicy, FilterState, Inflate, Measured, Method, Phase, Recovery, SetFilter,
 };
 pub use system::{Invariant, Relation, System};
-pub use zonotopic::{LinearizedZf, Zf, ZfMethod, ZfOptions, ZonotopeFilter, ZonotopeOptions, ZonotopicMethod};
+pub use zonotopic::{
+    LinearizedZf, StripForm, Zf, ZfMethod, ZfOptions, ZonotopeFilter, ZonotopeOptions, ZonotopicMethod,
+};
 pub use zsmf::{Model, Zsmf};
 
 /// The README's example is a doctest.

@@ -118,7 +118,8 @@ impl<M: Method> DelayedFilter<M> {
     #[must_use]
     pub fn new(filter: SetFilter<M>, steps: usize) -> Self {
         let state = filter.state();
-        let record = Record { state: state.clone(), draft: state.clone(), events: Events::default(), input: Vec::new() };
+        let record =
+            Record { state: state.clone(), draft: state.clone(), events: Events::default(), input: Vec::new() };
         let (saved, before) = (state.clone(), state.clone());
         Self { records: vec![record; steps], first: 0, len: 0, events: Events::default(), saved, before, filter }
     }

@@ -212,9 +212,7 @@ where
                 check_finite("radii of a fault policy", radii)?;
                 match radii.iter().position(|&r| r < 0.0) {
                     None => Ok(()),
-                    Some(row) => {
-                        Err(SetError::Negative { part: Part::Radius, row, col: 0, value: radii[row] }.into())
-                    }
+                    Some(row) => Err(SetError::Negative { part: Part::Radius, row, col: 0, value: radii[row] }.into()),
                 }
             }
         }

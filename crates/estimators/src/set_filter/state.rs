@@ -45,9 +45,7 @@ impl<S: SupportFunction, M> FilterState<S, M> {
             return Err(EstimatorError::EmptyRange { what: "saved hull", index });
         }
         match self.hull.iter().position(|side| !side.is_bounded()) {
-            Some(index) => {
-                Err(EstimatorError::NotFinite { what: "saved hull", index, value: self.hull[index].mag() })
-            }
+            Some(index) => Err(EstimatorError::NotFinite { what: "saved hull", index, value: self.hull[index].mag() }),
             None => Ok(()),
         }
     }

@@ -4,6 +4,18 @@ use setrep::{Reduction, Strip, StripRule};
 
 use crate::Extension;
 
+/// How an output becomes a strip.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum StripForm {
+    /// The linear part and the range of the output evaluated apart ([`OutputStrip`](nonlin_bounds::OutputStrip)), as in the paper. Such a
+    /// strip is at least twice as wide as the set and hardly ever cuts it.
+    Apart,
+    /// A row of the tightest affine enclosure that the output is smooth enough for
+    /// ([`AffineEnclosure`](nonlin_bounds::AffineEnclosure)): as wide as noise and remainder.
+    Row,
+}
+
 /// Options of a [`ZonotopeFilter`](crate::ZonotopeFilter). They affect tightness and time, never validity, but for
 /// [`feasible`](Self::feasible), which is a promise about the states.
 ///
@@ -15,6 +27,8 @@ use crate::Extension;
 pub struct ZonotopeOptions {
     /// How the dynamics are enclosed in a prediction. Without `C1` (or `C2`, for the first order) on the hull there is none.
     pub extension: Extension,
+    /// How outputs of the measurement and of the invariant become strips.
+    pub strips: StripForm,
     /// Which of the enclosures of an intersection with a strip is taken.
     pub rule: StripRule,
     /// "+F": strips that are known to contain every state. An update cuts with them after the measurement (Remark 11).
@@ -36,6 +50,7 @@ impl ZonotopeOptions {
     pub fn zmv(generators: usize) -> Self {
         Self {
             extension: Extension::MeanValue,
+            strips: StripForm::Apart,
             rule: StripRule::Determinant,
             feasible: Vec::new(),
             consistency: false,
@@ -49,6 +64,12 @@ impl ZonotopeOptions {
     #[must_use]
     pub fn zfo(generators: usize) -> Self {
         Self { extension: Extension::FirstOrder, ..Self::zmv(generators) }
+    }
+
+    /// The same with tight strips, which the paper does not have.
+    #[must_use]
+    pub fn with_rows(self) -> Self {
+        Self { strips: StripForm::Row, ..self }
     }
 
     /// The same with the strips of the invariant: "+C".

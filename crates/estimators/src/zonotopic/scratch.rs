@@ -16,6 +16,7 @@ pub struct Scratch {
     pub(super) quadratic: Option<QuadraticEnclosure>,
     pub(super) strip: OutputStrip,
     pub(super) rows: Rows,
+    /// The direction of a strip.
     pub(super) direction: Vec<f64>,
     pub(super) stacked: Stacked,
     /// The hull of a set.

@@ -1,10 +1,10 @@
 //! Intersections with strips: what outputs of a measurement or an invariant say of the states, and strips given.
 
-use nonlin_bounds::BoundError;
+use nonlin_bounds::{BoundError, Domain};
 use scalars::Interval;
-use setrep::{SetError, StripCut};
+use setrep::{SetError, StripCut, Zonotope};
 
-use super::{Scratch, State, ZonotopeOptions, renew_hull};
+use super::{Scratch, State, StripForm, ZonotopeOptions, renew_hull};
 use crate::set_filter::{Equation, inconsistent};
 use crate::{Culprit, EstimatorError, Evidence};
 
@@ -17,28 +17,62 @@ pub(super) fn cut(
     state: &mut State,
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
-    let (n, function) = (state.set.dim(), equation.relation.function());
     for (i, &value) in equation.values.iter().enumerate().filter(|(_, value)| **value != Interval::ENTIRE) {
         let culprit = (equation.culprit)(i);
         scratch.stacked.fill(&state.hull, equation.noise)?;
-        let Scratch { bounds, strip, stacked, .. } = &mut *scratch;
-        match strip.enclose(function, i, &stacked.sides, n, equation.parameters, value, bounds) {
+        let strip = match options.strips {
+            StripForm::Apart => apart(equation, i, value, state, scratch),
+            StripForm::Row => row(equation, i, state, scratch),
+        };
+        let range = match strip {
             // A function that is defined nowhere in the hull has no value there to be measured.
-            Err(BoundError::Set(SetError::EmptySet)) => {
+            Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => {
                 let evidence = Evidence::Propagation { hull: state.hull.clone() };
                 return Err(inconsistent(state.step, vec![culprit], evidence));
             }
             result => result?,
-        }
-        if strip.predicted().disjoint(&value) {
-            return Err(refuted(state.step, Some(culprit), strip.predicted(), value));
-        }
-        let strip = core::mem::take(strip);
-        let result = cut_by(strip.direction(), strip.range(), culprit, options, state, scratch);
-        scratch.strip = strip;
+        };
+        let direction = core::mem::take(&mut scratch.direction);
+        let result = cut_by(&direction, range, culprit, options, state, scratch);
+        scratch.direction = direction;
         result?;
     }
     Ok(())
+}
+
+/// The strip of output `i` with its parts evaluated apart: the direction into the scratch, and the range.
+fn apart(
+    equation: &Equation<'_>,
+    i: usize,
+    value: Interval,
+    state: &State,
+    scratch: &mut Scratch,
+) -> Result<Interval, EstimatorError> {
+    let Scratch { bounds, strip, stacked, direction, .. } = scratch;
+    let (n, function) = (state.set.dim(), equation.relation.function());
+    strip.enclose(function, i, &stacked.sides, n, equation.parameters, value, bounds)?;
+    if strip.predicted().disjoint(&value) {
+        return Err(refuted(state.step, Some((equation.culprit)(i)), strip.predicted(), value));
+    }
+    direction.clear();
+    direction.extend_from_slice(strip.direction());
+    Ok(strip.range())
+}
+
+/// The row of output `i` of an affine enclosure, likewise; of no direction if there is none.
+fn row(equation: &Equation<'_>, i: usize, state: &State, scratch: &mut Scratch) -> Result<Interval, EstimatorError> {
+    let Scratch { bounds, enclosure, rows, stacked, direction, .. } = scratch;
+    let noises = equation.noise.map_or(0, Zonotope::dim);
+    let domain = Domain::new(&stacked.sides, &stacked.point).with_parameters(equation.parameters).with_noises(noises);
+    enclosure.enclose_where_possible(equation.relation.function(), &domain, bounds)?;
+    enclosure.rows_into(state.set.dim(), equation.values, rows)?;
+    direction.clear();
+    direction.resize(state.set.dim(), 0.0);
+    let Some(row) = rows.outputs().iter().position(|&output| output == i) else { return Ok(Interval::ENTIRE) };
+    for (a, column) in direction.iter_mut().zip(rows.directions().columns()) {
+        *a = column[row];
+    }
+    Ok(rows.ranges()[row])
 }
 
 /// Cuts a state with one strip.
@@ -58,11 +92,6 @@ pub(super) fn cut_by(
 }
 
 /// Two enclosures of one quantity without a common point.
-pub(super) fn refuted(
-    step: u64,
-    culprit: Option<Culprit>,
-    predicted: Interval,
-    required: Interval,
-) -> EstimatorError {
+pub(super) fn refuted(step: u64, culprit: Option<Culprit>, predicted: Interval, required: Interval) -> EstimatorError {
     inconsistent(step, culprit.into_iter().collect(), Evidence::Disjoint { predicted, required })
 }
