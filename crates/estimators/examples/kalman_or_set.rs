@@ -47,6 +47,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // What no ball of this kind can have done is refuted by the set with proof, and averaged away by the belief.
     println!("a jump of 2 m: {}", set.update(&[height + 2.0]).err().map_or("accepted".to_owned(), |e| e.to_string()));
     belief.update(&[height + 2.0])?;
-    println!("the belief takes it, its NIS is {:.0}", belief.innovation().map_or(0.0, estimators::kalman::Innovation::nis));
+    println!(
+        "the belief takes it, its NIS is {:.0}",
+        belief.innovation().map_or(0.0, estimators::kalman::Innovation::nis)
+    );
     Ok(())
 }

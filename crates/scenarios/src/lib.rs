@@ -5,8 +5,8 @@
 //! what experiments with set-valued filters share is in [`set_study`].
 
 pub mod batch_reactor;
-pub mod contest;
 pub mod contender;
+pub mod contest;
 pub mod curve;
 pub mod cz_attitude;
 pub mod cz_planar;

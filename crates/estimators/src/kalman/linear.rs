@@ -45,11 +45,7 @@ impl<const N: usize, const M: usize, const W: usize> LinearModel<N, M, W> {
     ///
     /// # Errors
     /// [`EstimatorError::NotFinite`].
-    pub fn new(
-        a: SMatrix<f64, N, N>,
-        b: SMatrix<f64, N, W>,
-        c: SMatrix<f64, M, N>,
-    ) -> Result<Self, EstimatorError> {
+    pub fn new(a: SMatrix<f64, N, N>, b: SMatrix<f64, N, W>, c: SMatrix<f64, M, N>) -> Result<Self, EstimatorError> {
         check_finite("A", a.as_slice())?;
         check_finite("B", b.as_slice())?;
         check_finite("C", c.as_slice())?;

@@ -60,7 +60,11 @@ impl SigmaPoints {
         };
         let weights = Weights { spread: squared.sqrt(), others: 0.5 / squared, mean, covariance };
         let finite = [weights.spread, weights.others, mean, covariance].iter().all(|x| x.is_finite());
-        if finite && squared > 0.0 { Ok(weights) } else { Err(EstimatorError::NoSigmaPoints { squared_spread: squared }) }
+        if finite && squared > 0.0 {
+            Ok(weights)
+        } else {
+            Err(EstimatorError::NoSigmaPoints { squared_spread: squared })
+        }
     }
 }
 

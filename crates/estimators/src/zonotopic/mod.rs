@@ -8,9 +8,9 @@ mod zfo;
 mod zmv;
 
 pub use options::{StripForm, ZonotopeOptions};
-pub use zf::{LinearizedZf, Zf, ZfMethod, ZfOptions};
 use scalars::Interval;
 use setrep::{SetError, Strip, Zonotope};
+pub use zf::{LinearizedZf, Zf, ZfMethod, ZfOptions};
 
 use crate::error::check_size;
 use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter};

@@ -119,12 +119,7 @@ impl<const LINEARIZED: bool> Method for ZfMethod<LINEARIZED> {
 
     const GUARANTEE: Guarantee = if LINEARIZED { Guarantee::FirstOrder } else { Guarantee::Rigorous };
 
-    fn start(
-        _: &System,
-        set: Zonotope,
-        options: &ZfOptions,
-        scratch: &mut Scratch,
-    ) -> Result<State, EstimatorError> {
+    fn start(_: &System, set: Zonotope, options: &ZfOptions, scratch: &mut Scratch) -> Result<State, EstimatorError> {
         check(options, set.dim())?;
         let hull = vec![Interval::ENTIRE; set.dim()];
         let mut state = FilterState { set, hull, step: 0, memory: () };
@@ -181,12 +176,7 @@ impl<const LINEARIZED: bool> Method for ZfMethod<LINEARIZED> {
         Ok(())
     }
 
-    fn reduce(
-        _: &System,
-        options: &ZfOptions,
-        state: &mut State,
-        scratch: &mut Scratch,
-    ) -> Result<(), EstimatorError> {
+    fn reduce(_: &System, options: &ZfOptions, state: &mut State, scratch: &mut Scratch) -> Result<(), EstimatorError> {
         state.set.materialize_model_size();
         state.set.reduce(options.reduction, options.generators, &mut scratch.bounds.sets)?;
         renew_hull(false, state, None, scratch)

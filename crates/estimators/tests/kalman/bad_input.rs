@@ -19,7 +19,9 @@ fn covariances_are_checked() {
     assert!(matches!(wrong, EstimatorError::NotPositive { what: "covariance of the process noise", .. }));
     let mut filter = Kf::new(model, start, &Matrix2::identity(), &Matrix2::identity()).unwrap();
     assert!(filter.set_noises(&Matrix2::identity(), &Matrix2::new(1.0, 1.0, 0.0, 1.0)).is_err());
-    assert!(LinearModel::new(Matrix2::new(f64::INFINITY, 0.0, 0.0, 0.0), Matrix2::identity(), Matrix2::identity()).is_err());
+    assert!(
+        LinearModel::new(Matrix2::new(f64::INFINITY, 0.0, 0.0, 0.0), Matrix2::identity(), Matrix2::identity()).is_err()
+    );
 }
 
 #[test]
@@ -29,24 +31,34 @@ fn sizes_are_checked() {
     let two = Matrix2::identity();
     // The functions change places.
     let wrong = Ekf::<_, Flat, 4, 2, 4, 2>::new((sensor.clone(), motion.clone()), start, &Matrix4::identity(), &two);
-    assert!(matches!(wrong.unwrap_err(), EstimatorError::Size { what: "variables of the motion", expected: 6, found: 8 }));
-    let mut filter: Ekf<_, Flat, 4, 2, 4, 2> =
-        Ekf::new((motion, sensor), start, &Matrix4::identity(), &two).unwrap();
+    assert!(matches!(
+        wrong.unwrap_err(),
+        EstimatorError::Size { what: "variables of the motion", expected: 6, found: 8 }
+    ));
+    let mut filter: Ekf<_, Flat, 4, 2, 4, 2> = Ekf::new((motion, sensor), start, &Matrix4::identity(), &two).unwrap();
     let before = filter.clone();
-    assert!(matches!(filter.update(&[1.0]).unwrap_err(), EstimatorError::Size { what: "output", expected: 2, found: 1 }));
+    assert!(matches!(
+        filter.update(&[1.0]).unwrap_err(),
+        EstimatorError::Size { what: "output", expected: 2, found: 1 }
+    ));
     assert!(matches!(filter.predict(&[0.5]).unwrap_err(), EstimatorError::Size { what: "input", .. }));
-    assert!(matches!(filter.update(&[1.0, f64::NAN]).unwrap_err(), EstimatorError::NotFinite { what: "output", index: 1, .. }));
+    assert!(matches!(
+        filter.update(&[1.0, f64::NAN]).unwrap_err(),
+        EstimatorError::NotFinite { what: "output", index: 1, .. }
+    ));
     // The update is fine, the prediction is not.
     assert!(filter.step(&[0.5], &[4.0, 0.7]).is_err());
     assert_eq!((filter.belief(), filter.innovation()), (before.belief(), None));
     let bounded = ByFunction::new(function!(|[x, _v]: 2, [_p]: 1| -> 1 { [x] }));
-    assert!(Ekf::<_, Flat, 1, 1, 1, 1>::new(
-        (bounded.clone(), bounded),
-        Gaussian::new(Vector1::zeros(), &Matrix1::identity()).unwrap(),
-        &Matrix1::identity(),
-        &Matrix1::identity()
-    )
-    .is_err());
+    assert!(
+        Ekf::<_, Flat, 1, 1, 1, 1>::new(
+            (bounded.clone(), bounded),
+            Gaussian::new(Vector1::zeros(), &Matrix1::identity()).unwrap(),
+            &Matrix1::identity(),
+            &Matrix1::identity()
+        )
+        .is_err()
+    );
 }
 
 /// A sensor without noise of an exactly known state leaves nothing to weigh; a function that is not defined at the mean gives no belief.
@@ -77,7 +89,14 @@ fn a_lost_covariance_is_an_error() {
     let square = ByFunction::new(function!(|[x, _w]: 2| -> 1 { [x.sqr()] }));
     let sensor = ByFunction::new(function!(|[x, v]: 2| -> 1 { [x + v] }));
     let start = Gaussian::new(Vector1::new(0.0), &Matrix1::identity()).unwrap();
-    let filter = || Ukf::<_, Flat, 1, 1, 1, 1>::new((square.clone(), sensor.clone()), start, &Matrix1::identity(), &Matrix1::identity());
+    let filter = || {
+        Ukf::<_, Flat, 1, 1, 1, 1>::new(
+            (square.clone(), sensor.clone()),
+            start,
+            &Matrix1::identity(),
+            &Matrix1::identity(),
+        )
+    };
     // Images 0 (weight -3), +-: c^2, c^2 and 0, 0: the covariance comes out below zero.
     let mut lost = filter().unwrap().with_points(SigmaPoints::Scaled { alpha: 1.0, beta: -3.0, kappa: -1.5 }).unwrap();
     let wrong = lost.predict(&[]).unwrap_err();

@@ -67,7 +67,8 @@ fn with_little_uncertainty_all_filters_agree() {
     fn run<Side: ErrorSide + PartialEq>(size: f64, reset: bool) -> [SE2<f64>; 2] {
         let pose = SE2::from_pose(3.0, 2.0, -1.0);
         let ad = if Side::IS_LEFT { Matrix3::identity() } else { pose.adjoint() };
-        let start = Gaussian::<OnGroup<SE2<f64>, Side, 2>, 3>::new(pose, &(ad * spread(size) * ad.transpose())).unwrap();
+        let start =
+            Gaussian::<OnGroup<SE2<f64>, Side, 2>, 3>::new(pose, &(ad * spread(size) * ad.transpose())).unwrap();
         let (q, r) = (Matrix3::identity() * (1e-3 * size * size), Matrix2::identity() * (size * size));
         let mut ekf: Ekf<_, _, 3, 2, 3, 2> = Ekf::new(Planar, start, &q, &r).unwrap().with_reset(reset);
         let mut ukf: Ukf<_, _, 3, 2, 3, 2> = Ukf::new(Planar, start, &q, &r).unwrap().with_reset(reset);

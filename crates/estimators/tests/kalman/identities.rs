@@ -84,16 +84,15 @@ fn jacobians_of_functions_are_right() {
     let x = Vector4::new(4.0, -3.0, 2.0, 1.5);
     let (a, b) = SmoothMotion::<Flat, 4, 4>::motion_jacobians(&motion, &x, &[]);
     assert_eq!(b, Matrix4::identity());
-    let at = |x: &Vector4<f64>| estimators::kalman::Motion::<Flat, 4, 4>::transition(&motion, x, &[], &SVector::zeros());
+    let at =
+        |x: &Vector4<f64>| estimators::kalman::Motion::<Flat, 4, 4>::transition(&motion, x, &[], &SVector::zeros());
     for k in 0..4 {
         let step = Vector4::ith(k, 1e-6);
         assert!((a.column(k) - (at(&(x + step)) - at(&(x - step))) / 2e-6).norm() < 1e-8);
     }
     let x = SVector::<f64, 9>::from_fn(|i, _| 0.1 * i as f64 - 0.3);
     let (h, d) = SmoothSensor::<Flat, 9, 2, 2>::output_jacobians(&wide, &x);
-    let at = |x: &SVector<f64, 9>, v: &Vector2<f64>| {
-        estimators::kalman::Sensor::<Flat, 9, 2, 2>::output(&wide, x, v)
-    };
+    let at = |x: &SVector<f64, 9>, v: &Vector2<f64>| estimators::kalman::Sensor::<Flat, 9, 2, 2>::output(&wide, x, v);
     for k in 0..9 {
         let step = SVector::<f64, 9>::ith(k, 1e-6);
         let slope = (at(&(x + step), &Vector2::zeros()) - at(&(x - step), &Vector2::zeros())) / 2e-6;
@@ -116,7 +115,8 @@ fn extended_and_unscented_filters_agree_to_second_order() {
     let mut ekf: Ekf<_, Flat, 4, 2, 4, 2> = Ekf::new(tracking(), start, &q, &r).unwrap();
     let mut ukf: Ukf<_, Flat, 4, 2, 4, 2> = Ukf::new(tracking(), start, &q, &r).unwrap();
     for _ in 0..3 {
-        let y = [ekf.belief().mean().xy().norm() + 1e-3, (ekf.belief().mean()[1] / ekf.belief().mean()[0]).atan() - 1e-5];
+        let y =
+            [ekf.belief().mean().xy().norm() + 1e-3, (ekf.belief().mean()[1] / ekf.belief().mean()[0]).atan() - 1e-5];
         ekf.step(&[], &y).unwrap();
         ukf.step(&[], &y).unwrap();
     }

@@ -12,7 +12,8 @@ pub(crate) fn linear(random: &mut crate::support::Random) -> LinearModel<3, 2, 2
 }
 
 /// The vehicle of paper 001 (48), (51) with `atan`, noises included.
-pub(crate) fn tracking() -> (ByFunction<impl Function + Copy + std::fmt::Debug>, ByFunction<impl Function + Copy + std::fmt::Debug>) {
+pub(crate) fn tracking()
+-> (ByFunction<impl Function + Copy + std::fmt::Debug>, ByFunction<impl Function + Copy + std::fmt::Debug>) {
     let motion = function!(|[x1, x2, x3, x4, w1, w2, w3, w4]: 8| -> 4 {
         let scale = S::from_f64(15.0) / (x3.sqr() + x4.sqr()).sqrt();
         [x1 + x3.scale(0.5) + w1, x2 + x4.scale(0.5) + w2, x3 * scale + w3, x4 * scale + w4]

@@ -1,9 +1,7 @@
 //! The zonotopic filter of paper 001: containment, the linear case, the identity with the Kalman filter, refutations, refusals.
 
 use estimators::kalman::{ByFunction, Ekf, Flat, Gaussian};
-use estimators::{
-    Culprit, Estimator, EstimatorError, Guarantee, LinearizedZf, Relation, System, Zf, ZfOptions,
-};
+use estimators::{Culprit, Estimator, EstimatorError, Guarantee, LinearizedZf, Relation, System, Zf, ZfOptions};
 use nalgebra::{Matrix1, Matrix2, SMatrix, Vector1, Vector2};
 use nonlin_bounds::{Form, Function, function};
 use setrep::{Matrix, Reduction, SetError, StripRule, Zonotope};
@@ -44,7 +42,8 @@ fn the_state_stays_inside() {
         };
         let noise = [0.05, 0.02];
         let mut x = [0.5 + 0.2 * random.unit(), 0.2 * random.unit()];
-        let mut filter = Zf::new(pendulum(&noise), Zonotope::from_box(&[0.5, 0.0], &[0.2, 0.2]).unwrap(), options).unwrap();
+        let mut filter =
+            Zf::new(pendulum(&noise), Zonotope::from_box(&[0.5, 0.0], &[0.2, 0.2]).unwrap(), options).unwrap();
         assert_eq!(filter.guarantee(), Guarantee::Rigorous);
         for step in 0..40 {
             let mut bounded = |bound: f64| if step % 2 == 0 { bound * random.sign() } else { bound * random.unit() };
@@ -79,7 +78,11 @@ fn linear_systems_are_moved_exactly() {
     // The strip [-1/4, 3/4] around y = 1/4.
     filter.update(&[0.25]).unwrap();
     let near = |filter: &Zf, expected: [[f64; 2]; 2]| {
-        filter.hull().iter().zip(expected).all(|(side, [lo, hi])| (side.lo() - lo).abs() + (side.hi() - hi).abs() < 1e-12)
+        filter
+            .hull()
+            .iter()
+            .zip(expected)
+            .all(|(side, [lo, hi])| (side.lo() - lo).abs() + (side.hi() - hi).abs() < 1e-12)
     };
     assert!(near(&filter, [[-0.25, 0.75], [-2.0, 2.0]]), "{:?}", filter.hull());
     filter.predict(&[]).unwrap();
@@ -133,7 +136,8 @@ fn the_linearised_filter_is_an_extended_kalman_filter() {
 #[test]
 fn an_empty_strip_is_a_contradiction() {
     for options in [ZfOptions::new(10), ZfOptions::new(10).with_whole_strips()] {
-        let mut filter = Zf::new(pendulum(&[0.05, 0.02]), Zonotope::from_box(&[0.5, 0.0], &[0.2, 0.2]).unwrap(), options).unwrap();
+        let mut filter =
+            Zf::new(pendulum(&[0.05, 0.02]), Zonotope::from_box(&[0.5, 0.0], &[0.2, 0.2]).unwrap(), options).unwrap();
         let before = filter.state().clone();
         let wrong = filter.update(&[0.5, 0.2]).unwrap_err();
         let EstimatorError::Inconsistent(found) = wrong else { panic!("{wrong}") };

@@ -25,18 +25,13 @@ pub fn figure_1(name: &str, title: &str, truth: &Truth, courses: &[Named<'_>]) -
             }
         }
         let states = truth.states.iter().enumerate().filter(|(k, _)| k % STRIDE == 0);
-        panel
-            .with(Series::line("truth", Look::REFERENCE, states.map(|(k, x)| (time_s(k), x[i]))))
-            .y_range(-0.5, 4.5)
+        panel.with(Series::line("truth", Look::REFERENCE, states.map(|(k, x)| (time_s(k), x[i])))).y_range(-0.5, 4.5)
     };
     Figure::new(name, title, 2).with(panel(0)).with(panel(1))
 }
 
 /// The points of a course that are drawn.
-fn drawn(
-    course: &Course<2>,
-    value: impl Fn(&([f64; 2], [f64; 2])) -> f64,
-) -> impl Iterator<Item = (f64, f64)> {
+fn drawn(course: &Course<2>, value: impl Fn(&([f64; 2], [f64; 2])) -> f64) -> impl Iterator<Item = (f64, f64)> {
     course.iter().enumerate().filter(|(k, _)| k % STRIDE == 0).map(move |(k, step)| (time_s(k), value(step)))
 }
 

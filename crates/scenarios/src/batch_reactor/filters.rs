@@ -113,10 +113,11 @@ pub const PUBLISHED: [Contender; 4] = [
 ];
 
 /// Other settings of the zonotopic filter: what the paper says diverges, what holds the truth for certain.
-pub const VARIANTS: [Contender; 8] = [
+pub const VARIANTS: [Contender; 9] = [
     zonotopic("zf/segments", ZfSetting { rule: StripRule::Segments, ..ZfSetting::PAPER }),
     zonotopic("zf/segments-order-60", ZfSetting { rule: StripRule::Segments, order: 60, ..ZfSetting::PAPER }),
     zonotopic("zf/determinant", ZfSetting { rule: StripRule::Determinant, ..ZfSetting::PAPER }),
+    zonotopic("zf/radius-1.3", ZfSetting { radius: 1.3, ..ZfSetting::PAPER }),
     zonotopic("zf/radius-1.4", ZfSetting { radius: 1.4, ..ZfSetting::PAPER }),
     zonotopic("zf/radius-1.5", ZfSetting { radius: 1.5, ..ZfSetting::PAPER }),
     zonotopic("zf/noise-0.6", ZfSetting { noise: 0.6, ..ZfSetting::PAPER }),

@@ -47,9 +47,8 @@ pub fn half_widths(cells: &[Cell<2>]) -> Vec<Row> {
         let metric = format!("half-width(x{})@{}", i + 1, MARKS[mark]);
         cell.row(HALF_WIDTHS, metric, "atm").mean_of(&cell.samples(|run| run.marks[mark][i]))
     };
-    let of = |cell: &Cell<2>| -> Vec<Row> {
-        (0..MARKS.len()).flat_map(|mark| [0, 1].map(|i| row(cell, mark, i))).collect()
-    };
+    let of =
+        |cell: &Cell<2>| -> Vec<Row> { (0..MARKS.len()).flat_map(|mark| [0, 1].map(|i| row(cell, mark, i))).collect() };
     cells.iter().flat_map(of).collect()
 }
 

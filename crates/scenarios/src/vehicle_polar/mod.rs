@@ -38,7 +38,8 @@ impl Experiment for VehiclePolarExperiment {
         let few = runs.min(VARIANT_RUNS);
         let fitted = study(context, runs, Setting::fitted(Noise::Gaussian), Noise::Gaussian.name(), &PUBLISHED)?;
         let truncated = Setting::fitted(Noise::Truncated);
-        let truncated = study(context, few, truncated, Noise::Truncated.name(), &[PUBLISHED[0], PUBLISHED[1], GUARANTEED])?;
+        let truncated =
+            study(context, few, truncated, Noise::Truncated.name(), &[PUBLISHED[0], PUBLISHED[1], GUARANTEED])?;
         let mut others = Vec::new();
         for (label, setting) in tables::other_readings() {
             others.extend(study(context, few, setting, label, &PUBLISHED)?);
@@ -68,9 +69,8 @@ fn timings(context: &Context<'_>) -> Result<Vec<Row>, ScenarioError> {
     let truth = setting.truth(context, 0);
     let mut rows = Vec::new();
     let mut first = f64::NAN;
-    let time = |contender: &Contender| {
-        step_time_ns(|| contender.start(Bearing::Atan, setting.estimate), &truth.outputs)
-    };
+    let time =
+        |contender: &Contender| step_time_ns(|| contender.start(Bearing::Atan, setting.estimate), &truth.outputs);
     for contender in &PUBLISHED {
         let ns = time(contender)?;
         let row = |metric, unit| Row::new("timing", "vehicle", contender.method).metric(metric, unit);

@@ -95,9 +95,6 @@ fn verdicts(results: &Results, timings: &[Row], diverged: &[usize]) -> Vec<Strin
             text(number(CONTAINMENT, "ukf", "containment"))
         ),
         format!("With a guarantee (mean value form) the filter diverges {steps}."),
-        format!(
-            "A step of ZF takes {} times one of UKF on average (paper: 120).",
-            text(time.and_then(Row::get_value))
-        ),
+        format!("A step of ZF takes {} times one of UKF on average (paper: 120).", text(time.and_then(Row::get_value))),
     ]
 }

@@ -56,9 +56,8 @@ pub fn half_widths(cells: &[Cell<4>]) -> Vec<Row> {
         let metric = format!("half-width(x{})@{}", i + 1, MARKS[mark]);
         cell.row(HALF_WIDTHS, metric, UNITS[i]).mean_of(&cell.samples(|run| run.marks[mark][i]))
     };
-    let of = |cell: &Cell<4>| -> Vec<Row> {
-        (0..MARKS.len()).flat_map(|mark| [0, 3].map(|i| row(cell, mark, i))).collect()
-    };
+    let of =
+        |cell: &Cell<4>| -> Vec<Row> { (0..MARKS.len()).flat_map(|mark| [0, 3].map(|i| row(cell, mark, i))).collect() };
     cells.iter().flat_map(of).collect()
 }
 

@@ -114,7 +114,10 @@ fn remainders_and_flat_sets_are_seen() {
     assert!(cut.interval_hull()[0].rad() < flat.interval_hull()[0].rad());
     let mut square = Zonotope::from_box(&[0.0, 0.0], &[1.0, 1.0]).unwrap();
     square.materialize();
-    assert_eq!(square.intersect_strip(&[1.0, 0.0], Interval::ZERO, StripRule::Volume, &mut workspace), Ok(StripCut::Cut));
+    assert_eq!(
+        square.intersect_strip(&[1.0, 0.0], Interval::ZERO, StripRule::Volume, &mut workspace),
+        Ok(StripCut::Cut)
+    );
     assert!(square.interval_hull()[0].rad() < 1e-14);
 }
 
@@ -128,7 +131,10 @@ fn too_many_minors_are_refused_and_the_cut_goes_on() {
     let a = [1.0, 0.0, 0.0, 0.0];
     let refused = set.approx_candidate_volumes(&a, 1.0, &mut workspace).unwrap_err();
     assert!(matches!(refused, SetError::TooManySubsets { .. }));
-    assert_eq!(set.intersect_strip(&a, Interval::ZERO.inflate(0.1), StripRule::Volume, &mut workspace), Ok(StripCut::Cut));
+    assert_eq!(
+        set.intersect_strip(&a, Interval::ZERO.inflate(0.1), StripRule::Volume, &mut workspace),
+        Ok(StripCut::Cut)
+    );
     assert!(set.approx_candidate_volumes(&[1.0], 1.0, &mut workspace).is_err());
     assert!(set.approx_candidate_volumes(&[1.0, f64::NAN, 0.0, 0.0], 1.0, &mut workspace).is_err());
 }
@@ -143,7 +149,8 @@ fn the_search_allocates_nothing() {
         let a = vec![1.0; n];
         let mut step = || {
             cut.clone_from(&set);
-            let _ = cut.intersect_whole_strip(&a, Interval::ZERO.inflate(0.1), StripRule::Volume, &mut workspace).unwrap();
+            let _ =
+                cut.intersect_whole_strip(&a, Interval::ZERO.inflate(0.1), StripRule::Volume, &mut workspace).unwrap();
         };
         step();
         let counted = allocation_counter::measure(step);
