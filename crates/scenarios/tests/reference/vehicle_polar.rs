@@ -60,16 +60,20 @@ fn the_center_is_an_extended_kalman_filter() {
         let center = Vector4::from_column_slice(zf.enclosure().center());
         let mean = ekf.belief().mean();
         assert!((center - mean).norm() <= 1e-9 * mean.norm(), "k = {k}: {center} {mean}");
-        // Two columns for the process noise (those of zero bound are left out), two for the strips.
-        assert_eq!(zf.enclosure().num_generators(), 4 + 4 * (k + 1));
+        // Two columns for the process noise (those of zero bound are left out), two for the strips, and at times one for rounding that has
+        // grown beyond 1e-9.
+        let columns = zf.enclosure().num_generators();
+        assert!((4 + 4 * (k + 1)..=4 + 5 * (k + 1)).contains(&columns), "k = {k}: {columns}");
     }
 }
 
-/// Shows 5: the filter with a guarantee diverges, and says so.
+/// Shows 5: the filter with a guarantee diverges, and says so; also from a small set around the truth.
 #[test]
 fn the_guaranteed_filter_diverges() {
-    let cells = study(&Context::new(1), 3, Setting::fitted(Noise::Truncated), "test", &[GUARANTEED]).unwrap();
-    let steps: Vec<_> = cells[0].runs.iter().map(|run| run.diverged).collect();
-    println!("diverged at {steps:?}");
-    assert!(steps.iter().all(|step| step.is_some_and(|step| step <= 20)), "{steps:?}");
+    let cells = study(&Context::new(1), 3, Setting::fitted(Noise::Truncated), "test", &GUARANTEED).unwrap();
+    for cell in &cells {
+        let steps: Vec<_> = cell.runs.iter().map(|run| run.diverged).collect();
+        println!("{} diverged at {steps:?}", cell.method);
+        assert!(steps.iter().all(|step| step.is_some_and(|step| step <= 20)), "{steps:?}");
+    }
 }
