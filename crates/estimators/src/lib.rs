@@ -7,6 +7,7 @@
 //! |---|---|---|---|
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
+//! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
 //! | [`ZonotopeFilter`] | `R^n`, a [`System`] | zonotope: ZMV and ZFO of paper 003 | rigorous |
 //! | [`Zf`] | `R^n`, a [`System`] | zonotope: ZF of paper 001, linear systems included | rigorous |
 //! | [`LinearizedZf`] | `R^n`, a [`System`] | the same, linearised at the center | first order |
@@ -48,10 +49,10 @@
 //! # Ok::<(), estimators::EstimatorError>(())
 //! ```
 
+mod constrained;
 mod error;
 mod error_set;
 mod estimator;
-mod extension;
 pub mod gain;
 mod inconsistency;
 mod inzsmf;
@@ -64,9 +65,9 @@ mod system;
 mod zonotopic;
 mod zsmf;
 
+pub use constrained::{ConstrainedMethod, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy};
 pub use error::EstimatorError;
 pub use estimator::{Estimator, Guarantee};
-pub use extension::Extension;
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};

@@ -10,7 +10,7 @@ mod state;
 
 pub(crate) use contradiction::{inconsistent, of_hull, of_propagation};
 pub use delayed::DelayedFilter;
-pub(crate) use equation::Equation;
+pub(crate) use equation::{Equation, check_strips};
 pub use faults::{Fault, FaultPolicy, Inflate, Recovery};
 pub use method::{Measured, Method, Phase};
 use scalars::Interval;

@@ -9,11 +9,10 @@ mod zmv;
 
 pub use options::{StripForm, ZonotopeOptions};
 use scalars::Interval;
-use setrep::{SetError, Strip, Zonotope};
+use setrep::{SetError, Zonotope};
 pub use zf::{LinearizedZf, Zf, ZfMethod, ZfOptions};
 
-use crate::error::check_size;
-use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter};
+use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter, check_strips};
 use crate::{Culprit, EstimatorError, Extension, System};
 use scratch::Scratch;
 
@@ -157,11 +156,6 @@ impl Method for ZonotopicMethod {
     ) -> Result<(), EstimatorError> {
         reduce(options, state, scratch)
     }
-}
-
-/// `Ok` if all strips lie in the space of the states.
-fn check_strips(n: usize, strips: &[Strip]) -> Result<(), EstimatorError> {
-    strips.iter().try_for_each(|strip| check_size("strip of feasible states", n, strip.dim()))
 }
 
 /// Encloses the set in one of at most `options.generators` generators.

@@ -22,7 +22,7 @@ pub(super) fn cut(
         scratch.stacked.fill(&state.hull, equation.noise)?;
         let strip = match options.strips {
             StripForm::Apart => apart(equation, i, value, state, scratch),
-            StripForm::Row => row(equation, i, state, scratch),
+            StripForm::Row => row(equation, i, value, state, scratch),
         };
         let range = match strip {
             // A function that is defined nowhere in the hull has no value there to be measured.
@@ -60,19 +60,27 @@ fn apart(
 }
 
 /// The row of output `i` of an affine enclosure, likewise; of no direction if there is none.
-fn row(equation: &Equation<'_>, i: usize, state: &State, scratch: &mut Scratch) -> Result<Interval, EstimatorError> {
-    let Scratch { bounds, enclosure, rows, stacked, direction, .. } = scratch;
+fn row(
+    equation: &Equation<'_>,
+    i: usize,
+    value: Interval,
+    state: &State,
+    scratch: &mut Scratch,
+) -> Result<Interval, EstimatorError> {
+    let Scratch { bounds, enclosure, rows, stacked, direction, values, .. } = scratch;
     let noises = equation.noise.map_or(0, Zonotope::dim);
     let domain = Domain::new(&stacked.sides, &stacked.point).with_parameters(equation.parameters).with_noises(noises);
     enclosure.enclose_where_possible(equation.relation.function(), &domain, bounds)?;
-    enclosure.rows_into(state.set.dim(), equation.values, rows)?;
+    values.clear();
+    values.resize(equation.values.len(), Interval::ENTIRE);
+    values[i] = value;
+    enclosure.rows_into(state.set.dim(), values, rows)?;
     direction.clear();
     direction.resize(state.set.dim(), 0.0);
-    let Some(row) = rows.outputs().iter().position(|&output| output == i) else { return Ok(Interval::ENTIRE) };
-    for (a, column) in direction.iter_mut().zip(rows.directions().columns()) {
-        *a = column[row];
-    }
-    Ok(rows.ranges()[row])
+    // One row or none.
+    let Some(&range) = rows.ranges().first() else { return Ok(Interval::ENTIRE) };
+    direction.copy_from_slice(rows.directions().as_slice());
+    Ok(range)
 }
 
 /// Cuts a state with one strip.

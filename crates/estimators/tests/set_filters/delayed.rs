@@ -89,7 +89,7 @@ fn every_step_is_that_of_the_run_in_time() {
     // One measurement in three is two steps late.
     let delivery = |step: usize| Delivery {
         step,
-        arrival: step + if step % 3 == 0 { 2 } else { 0 },
+        arrival: step + if step.is_multiple_of(3) { 2 } else { 0 },
         output: run[step].1.iter().map(|&y| Some(y)).collect(),
     };
     let list: Vec<Delivery> = (0..run.len()).map(delivery).collect();
