@@ -18,7 +18,7 @@ pub(super) fn image(
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
     let (f, noise) = (system.dynamics().function(), system.process_noise());
-    scratch.about_centers(state, noise)?;
+    scratch.about_centers(state, Some(noise))?;
     let Scratch { bounds, quadratic, product, stacked, .. } = scratch;
     let domain = Domain::new(&stacked.sides, &stacked.point).with_parameters(input).with_noises(noise.dim());
     let product = product.get_or_insert_with(|| state.set.clone());
