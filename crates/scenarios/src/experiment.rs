@@ -24,7 +24,12 @@ pub trait Experiment: Sync {
 /// All experiments, in the order in which they are run and shown.
 #[must_use]
 pub fn all() -> Vec<&'static dyn Experiment> {
-    vec![&crate::inzsmf::InZsmfExperiment, &crate::wifibot::WifibotExperiment, &crate::images::ImagesExperiment]
+    vec![
+        &crate::inzsmf::InZsmfExperiment,
+        &crate::wifibot::WifibotExperiment,
+        &crate::images::ImagesExperiment,
+        &crate::tank_chain::TankChainExperiment,
+    ]
 }
 
 /// A sign of life: `done` of `total` runs of `label` have ended.

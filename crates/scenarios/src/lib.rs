@@ -17,6 +17,7 @@ pub mod noise;
 pub mod published;
 pub mod report;
 pub mod results;
+pub mod tank_chain;
 pub mod truth;
 pub mod vehicle;
 pub mod wifibot;

@@ -2,7 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
 
+mod bad_input;
+mod endurance;
+mod outliers;
 mod plants;
+mod polynomials;
 mod rcz;
+mod sharpness;
 #[path = "../support/mod.rs"]
 mod support;
