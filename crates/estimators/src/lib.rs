@@ -9,7 +9,7 @@
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //!
-//! All of them are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
+//! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
 //! [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
 //! the set, and the documentation of each filter says how often it did. A rigorous filter that is left without a state says so with
 //! proof, [`EstimatorError::Inconsistent`], and keeps its predicted set.
@@ -47,6 +47,7 @@ pub mod gain;
 mod inconsistency;
 mod inzsmf;
 mod rcz;
+mod set_filter;
 mod system;
 mod zsmf;
 
@@ -55,7 +56,8 @@ pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
-pub use rcz::{Rcz, RczOptions, RczState, Tier};
+pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
+pub use set_filter::{FilterState, Measured, Method, Phase, SetFilter};
 pub use system::{Invariant, Relation, System};
 pub use zsmf::{Model, Zsmf};
 

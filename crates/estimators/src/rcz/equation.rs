@@ -28,8 +28,9 @@ impl Equation<'_> {
         scratch: &mut Scratch,
     ) -> Result<Option<Conflict>, EstimatorError> {
         let Some(tape) = self.relation.tape() else { return Ok(None) };
-        scratch.stack(hull, self.noise)?;
-        let Scratch { bounds, sides, .. } = scratch;
+        let Scratch { bounds, stacked, .. } = scratch;
+        stacked.fill(hull, self.noise)?;
+        let sides = &mut stacked.sides;
         if let Contraction::ProvenEmpty(conflict) =
             contractor.contract(tape, sides, self.parameters, self.values, bounds)?
         {
@@ -55,10 +56,11 @@ impl Equation<'_> {
         set: &mut ConstrainedZonotope,
         scratch: &mut Scratch,
     ) -> Result<(), EstimatorError> {
-        scratch.stack(hull, self.noise)?;
-        let Scratch { bounds, enclosure, rows, sides, point, noise: storage, culprits, directions, .. } = scratch;
-        let domain =
-            Domain::new(sides, point).with_parameters(self.parameters).with_noises(self.noise.map_or(0, Zonotope::dim));
+        let Scratch { bounds, enclosure, rows, stacked, noise: storage, culprits, directions, .. } = scratch;
+        stacked.fill(hull, self.noise)?;
+        let domain = Domain::new(&stacked.sides, &stacked.point)
+            .with_parameters(self.parameters)
+            .with_noises(self.noise.map_or(0, Zonotope::dim));
         enclosure.enclose_where_possible(self.relation.function(), &domain, bounds)?;
         enclosure.rows_into(hull.len(), self.values, rows)?;
         directions.push_rows(rows.directions())?;
