@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use nonlin_bounds::{DynFunction, Function, Tape};
+use nonlin_bounds::{DynFunction, Function, Structured, Tape};
 use scalars::Interval;
 use setrep::Zonotope;
 
@@ -20,7 +20,8 @@ pub struct Relation {
 impl Relation {
     /// A function written over [`scalars::Scalar`]. Its tape is recorded too, so that measurements can contract boxes.
     pub fn new<F: Function + Send + Sync + 'static>(function: F) -> Self {
-        let tape = Some(Arc::new(Tape::record(&function)));
+        let function = Structured::new(function);
+        let tape = Some(function.tape().clone());
         Self { function: Arc::new(function), tape }
     }
 

@@ -58,6 +58,7 @@ mod range;
 mod signs;
 mod smoothness;
 mod solution;
+mod structured;
 mod tape;
 mod workspace;
 
@@ -79,5 +80,6 @@ pub use range::{RangeMethod, range};
 pub use scalars;
 pub use smoothness::Smoothness;
 pub use solution::{Rows, affine_solution, decomposition_solution, polytopic_solution, polytopic_solution_lift};
+pub use structured::Structured;
 pub use tape::Tape;
 pub use workspace::Workspace;

@@ -4,7 +4,7 @@ use nonlin_bounds::{BoundError, Conflict, Contraction, Domain, ForwardBackward};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
-use super::scratch::{Scratch, is_box, store};
+use super::scratch::{Scratch, is_box};
 use crate::system::Relation;
 use crate::{Culprit, EstimatorError};
 
@@ -66,8 +66,9 @@ impl Equation<'_> {
         directions.push_rows(rows.directions())?;
         if let Some(noise) = self.noise.filter(|noise| !is_box(noise)) {
             // Noises that mix the outputs are generators of the cut; that needs every output to be bounded.
-            let noise = store(storage, &ConstrainedZonotope::from(noise.clone()));
-            match enclosure.intersect_with_noise(set, self.values, noise, bounds) {
+            let generators = storage.get_or_insert_with(|| ConstrainedZonotope::from(noise.clone()));
+            generators.assign_zonotope(noise);
+            match enclosure.intersect_with_noise(set, self.values, generators, bounds) {
                 Err(BoundError::UnboundedResult { .. }) => {}
                 result => {
                     culprits.extend((0..self.values.len()).map(self.culprit));

@@ -9,5 +9,6 @@ mod plants;
 mod polynomials;
 mod rcz;
 mod sharpness;
+mod skew_noise;
 #[path = "../support/mod.rs"]
 mod support;

@@ -106,7 +106,7 @@ impl Case {
     /// A case; none if no measurement near the value was proven to be one.
     fn random(random: &mut Random) -> Option<Self> {
         let n = 1 + random.below(3);
-        let noises = random.below(n + 1);
+        let noises = 1 + random.below(n);
         let dynamics = Polynomials::random(n, noises, n, random);
         let outputs = 1 + random.below(3);
         let measurement = Polynomials::random(n, outputs, outputs, random);
@@ -116,7 +116,7 @@ impl Case {
         let exact: Vec<BigRational> = x.iter().map(|&x| rational(x)).collect();
 
         let wind = 0.25 * 0.5_f64.powi(random.below(12) as i32);
-        let (process, w) = if noises > 0 && random.below(2) == 0 {
+        let (process, w) = if random.below(2) == 0 {
             // Noises that mix.
             zonotope(&vec![0.0; noises], noises + 1, wind, random)
         } else {
