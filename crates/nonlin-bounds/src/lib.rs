@@ -79,7 +79,9 @@ pub use quadratic::{Copies, QuadraticEnclosure};
 pub use range::{RangeMethod, range};
 pub use scalars;
 pub use smoothness::Smoothness;
-pub use solution::{Rows, affine_solution, decomposition_solution, polytopic_solution, polytopic_solution_lift};
+pub use solution::{
+    OutputStrip, Rows, affine_solution, decomposition_solution, polytopic_solution, polytopic_solution_lift,
+};
 pub use structured::Structured;
 pub use tape::Tape;
 pub use workspace::Workspace;

@@ -28,6 +28,8 @@ pub fn all() -> Vec<&'static dyn Experiment> {
         &crate::inzsmf::InZsmfExperiment,
         &crate::wifibot::WifibotExperiment,
         &crate::images::ImagesExperiment,
+        &crate::cz_planar::PlanarExperiment,
+        &crate::cz_attitude::AttitudeExperiment,
         &crate::tank_chain::TankChainExperiment,
     ]
 }

@@ -1,4 +1,4 @@
-//! Bounded noises: four ways to draw a vector from the closed box `{ v : |v_i| <= bound_i }`.
+//! Bounded noises: four ways to draw a vector from the closed box `{ v : |v_i| <= bound_i }`, of a fixed dimension or of any.
 
 use rand::{Rng, RngExt};
 
@@ -67,6 +67,27 @@ impl<const N: usize> BoundedNoise<N> {
             NoiseKind::ConstantVertex => *self.held.get_or_insert_with(|| vertex(&self.inner, rng)),
             NoiseKind::TruncatedGaussian => self.inner.map(|bound| bound * truncated_gaussian(rng)),
         }
+    }
+}
+
+/// A source of noise vectors in a box of any dimension: every kind is drawn entry by entry.
+#[derive(Clone, Debug)]
+pub struct BoxNoise {
+    entries: Vec<BoundedNoise<1>>,
+}
+
+impl BoxNoise {
+    /// A noise in `{ v : |v_i| <= bounds_i }`, as [`BoundedNoise::new`].
+    #[must_use]
+    pub fn new(kind: NoiseKind, bounds: &[f64]) -> Self {
+        Self { entries: bounds.iter().map(|&bound| BoundedNoise::new(kind, [bound])).collect() }
+    }
+
+    /// The next vector.
+    ///
+    /// **Guarantee:** as [`BoundedNoise::draw`].
+    pub fn draw<R: Rng>(&mut self, rng: &mut R) -> Vec<f64> {
+        self.entries.iter_mut().map(|entry| entry.draw(rng)[0]).collect()
     }
 }
 

@@ -20,6 +20,8 @@ pub struct Workspace {
     pub(crate) coordinates: Vec<f64>,
     pub(crate) scales: Vec<f64>,
     pub(crate) eigen: Vec<f64>,
+    /// The covariation of a set.
+    pub(crate) gram: crate::Matrix,
     /// Ranges of the rows being built.
     pub(crate) ranges: Vec<scalars::Interval>,
     /// Ranges of the rows to be cut by.

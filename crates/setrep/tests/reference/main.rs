@@ -13,3 +13,4 @@ mod membership;
 mod reduction_size;
 #[cfg(feature = "serde")]
 mod storage;
+mod strips;
