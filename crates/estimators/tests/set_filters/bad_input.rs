@@ -1,8 +1,6 @@
 //! What `Rcz` refuses, and what it makes of options and sets at the edge of sense; a filter that refuses is as it was.
 
-use estimators::{
-    Culprit, Estimator, EstimatorError, FilterState, Rcz, RczOptions, Relation, System, Tier,
-};
+use estimators::{Culprit, Estimator, EstimatorError, FilterState, Rcz, RczOptions, Relation, System, Tier};
 use nonlin_bounds::{BoundError, DynFunction, Function, Jet, Order, Smoothness};
 use scalars::{Interval, Scalar};
 use setrep::{ConstrainedZonotope, Matrix, TemplateWidths, Zonotope};
@@ -107,8 +105,15 @@ fn budgets_of_nothing_still_enclose() {
     let planar_run = planar_run(Draw::Uniform, 20, &mut random);
     for tier in [Tier::LinearPrograms, Tier::Rescaling] {
         for widths in [TemplateWidths::SingleRows, TemplateWidths::LinearPrograms] {
-            let zero =
-                RczOptions { constraints: 0, passes: 0, reduce_every: 0, least_shrink: 0.0, widths, tier, ..RczOptions::fast(4) };
+            let zero = RczOptions {
+                constraints: 0,
+                passes: 0,
+                reduce_every: 0,
+                least_shrink: 0.0,
+                widths,
+                tier,
+                ..RczOptions::fast(4)
+            };
             for options in [
                 zero,
                 RczOptions { constraints: 0, ..RczOptions::fast(4) },
@@ -120,14 +125,20 @@ fn budgets_of_nothing_still_enclose() {
                 let mut filter = Rcz::new(attitude(0.15), attitude_start(), options).unwrap();
                 for (x, y, u) in &run {
                     filter.update(y).unwrap();
-                    assert!(filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)), "{options:?}");
+                    assert!(
+                        filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)),
+                        "{options:?}"
+                    );
                     filter.predict(u).unwrap();
                 }
                 assert!(radius(filter.hull()) < 1.0, "{options:?}");
                 let mut filter = Rcz::new(planar(), planar_start(), options).unwrap();
                 for (x, y) in &planar_run {
                     filter.update(y).unwrap();
-                    assert!(filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)), "{options:?}");
+                    assert!(
+                        filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)),
+                        "{options:?}"
+                    );
                     filter.reduce().unwrap();
                     if options.tier == Tier::LinearPrograms {
                         assert!(filter.enclosure().num_constraints() <= options.constraints, "{options:?}");

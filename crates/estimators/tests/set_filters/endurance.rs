@@ -29,7 +29,10 @@ fn a_long_run_keeps_its_memory_and_its_radius() {
         }
         x = value(&PlanarStep, &[&x[..], &w].concat(), &[]);
     }
-    println!("{steps} steps: mean radius {:.4}, largest {largest:.4}; second half: {allocations} allocations", sum / steps as f64);
+    println!(
+        "{steps} steps: mean radius {:.4}, largest {largest:.4}; second half: {allocations} allocations",
+        sum / steps as f64
+    );
     assert_eq!((allocations, growth), (0, 0));
     assert!(largest < 1.0 && sum < 0.45 * steps as f64, "largest {largest}");
 }

@@ -137,13 +137,7 @@ impl Case {
 }
 
 /// A float `y` near `g_i(x, v)` with `y = g_i(x, v')` for a `v'` proven within the bound: often one at the bound.
-fn measured(
-    g: &Polynomials,
-    i: usize,
-    x: &[BigRational],
-    variables: &[BigRational],
-    bound: f64,
-) -> Option<f64> {
+fn measured(g: &Polynomials, i: usize, x: &[BigRational], variables: &[BigRational], bound: f64) -> Option<f64> {
     let at = |v: f64| {
         let mut variables: Vec<BigRational> = x.to_vec();
         variables.resize(g.variables, rational(0.0));

@@ -21,7 +21,8 @@ impl Curvature {
         let n = tape.variables;
         let mut groups = Groups { parent: (0..n).collect(), curved: vec![false; n] };
         // The variables that each slot depends on.
-        let mut depends: Vec<Vec<usize>> = (0..tape.first_node()).map(|slot| (0..n).filter(|&k| k == slot).collect()).collect();
+        let mut depends: Vec<Vec<usize>> =
+            (0..tape.first_node()).map(|slot| (0..n).filter(|&k| k == slot).collect()).collect();
         for &node in &tape.nodes {
             let (a, b) = node.operands();
             let first = &depends[a as usize];

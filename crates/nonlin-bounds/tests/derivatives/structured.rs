@@ -63,7 +63,8 @@ fn plans_change_no_entry() {
     for _ in 0..200 {
         let n = 1 + random.below(14);
         let f = Polynomials::random(n, 1 + random.below(3), 3, &mut random);
-        let x: Vec<Interval> = (0..n).map(|_| Interval::point(random.unit()).inflate(0.3 * random.unit().abs())).collect();
+        let x: Vec<Interval> =
+            (0..n).map(|_| Interval::point(random.unit()).inflate(0.3 * random.unit().abs())).collect();
         compare(&f, &x, &[]);
     }
 }

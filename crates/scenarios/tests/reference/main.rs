@@ -8,4 +8,5 @@ mod images;
 mod metrics;
 mod published;
 mod sound;
+mod tank_chain;
 mod wifibot;
