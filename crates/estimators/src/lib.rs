@@ -7,7 +7,11 @@
 //! |---|---|---|---|
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
+//! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
+//! | [`Vh`] | the same | polytope, by its vertices | rigorous |
+//! | [`DCz`], [`DZb`] | the same | constrained zonotope, zonotope bundle | rigorous |
+//! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
 //!
 //! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
 //! [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
@@ -40,22 +44,29 @@
 //! # Ok::<(), estimators::EstimatorError>(())
 //! ```
 
+mod constrained;
 mod error;
 mod error_set;
 mod estimator;
 pub mod gain;
 mod inconsistency;
 mod inzsmf;
+mod polytopic;
 mod rcz;
 mod set_filter;
 mod system;
 mod zsmf;
 
+pub use constrained::{ConstrainedMethod, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy};
 pub use error::EstimatorError;
 pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
+pub use polytopic::{
+    Comb, CombMember, CombOptions, DCz, DCzOptions, DCzScratch, DZb, DZbOptions, DZbScratch, DecomposedBundle,
+    DecomposedConstrained, PolytopeForm, Stability, VertexPolytopes, Vh, VhOptions, VhScratch, WidthBound, stability,
+};
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
 pub use set_filter::{FilterState, Measured, Method, Phase, SetFilter};
 pub use system::{Invariant, Relation, System};

@@ -2,7 +2,7 @@
 
 use nonlin_bounds::{AffineEnclosure, Rows, Workspace};
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, Directions, Matrix, Zonotope};
+use setrep::{ConstrainedZonotope, Directions, Matrix};
 
 use crate::Culprit;
 use crate::set_filter::Stacked;
@@ -30,23 +30,4 @@ pub struct Scratch {
     pub(super) directions: Directions,
     /// Widths of the ranges of the new rows of the last pass.
     pub(super) widths: Vec<f64>,
-}
-
-/// Fills the storage of an optional set.
-pub(super) fn store<'a>(
-    slot: &'a mut Option<ConstrainedZonotope>,
-    source: &ConstrainedZonotope,
-) -> &'a mut ConstrainedZonotope {
-    match slot {
-        Some(set) => {
-            set.clone_from(source);
-            set
-        }
-        None => slot.insert(source.clone()),
-    }
-}
-
-/// Whether a noise acts along axes: its box is then the noise itself.
-pub(super) fn is_box(noise: &Zonotope) -> bool {
-    noise.generators().columns().all(|column| column.iter().filter(|g| **g != 0.0).count() <= 1)
 }

@@ -56,7 +56,7 @@ fn by_rows(
 }
 
 /// The error, with each culprit once; the prediction always is one: its coordinates are bounded in every proof.
-fn inconsistent(step: u64, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
+pub(crate) fn inconsistent(step: u64, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
     culprits.push(Culprit::Prediction);
     culprits.sort_unstable();
     culprits.dedup();
