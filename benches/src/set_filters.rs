@@ -4,14 +4,16 @@ use std::hint::black_box;
 use std::rc::Rc;
 use std::time::Duration;
 
-use estimators::{Estimator, Method, Phase, Rcz, RczOptions, RczState, Relation, SetFilter, System};
+use estimators::{
+    CzFilter, CzOptions, Estimator, Method, Phase, Rcz, RczOptions, RczState, Relation, SetFilter, System,
+};
 use nalgebra::DMatrix;
 use scenarios::cz_attitude::plant::{AttitudeStep, start, system};
 use scenarios::cz_attitude::simulation::simulate;
 use scenarios::monte_carlo;
 use scenarios::noise::NoiseKind;
 use scenarios::set_study::Trajectory;
-use setrep::{ConstrainedZonotope, Workspace};
+use setrep::{Complexity, ConstrainedZonotope, Workspace};
 
 use crate::lp_peers::{Clarabel, hull_objectives};
 use crate::timing::{Bench, processor_time};
@@ -20,16 +22,30 @@ use crate::timing::{Bench, processor_time};
 const NOISE: f64 = 0.15;
 /// Steps of the run: the sets are small from about the tenth on.
 const STEPS: usize = 60;
+/// The paper's limit of the size of sets.
+const LIMIT: Option<Complexity> = Some(Complexity { generators: 12, constraints: 5 });
 /// The steps that are timed against Clarabel.
 const REPLAYED: std::ops::Range<usize> = 20..28;
 
 /// The rows `rcz-step/*` and `filter-step/*`.
 pub fn benches() -> Vec<Bench> {
     let run = Rc::new(run());
-    let rcz = || rcz(RczOptions::fast(4));
-    let mut benches = vec![against_clarabel(&run)];
-    benches.extend(phases("rcz", &rcz(), &run));
+    let (rcz, czfo_c) = (rcz(RczOptions::fast(4)), paper(CzOptions::czfo(LIMIT).with_consistency()));
+    let mut benches = vec![against_clarabel(&run), duel("filter-step/rcz", &rcz, "czfo+c", &czfo_c, &run)];
+    for (name, options) in [("czmv+c", CzOptions::czmv(LIMIT)), ("czfo", CzOptions::czfo(LIMIT))] {
+        let options = if name == "czmv+c" { options.with_consistency() } else { options };
+        benches.push(duel(&format!("filter-step/{name}"), &paper(options), "czfo+c", &czfo_c, &run));
+    }
+    benches.extend(phases("rcz", &rcz, &run));
+    benches.extend(phases("czmv+c", &paper(CzOptions::czmv(LIMIT).with_consistency()), &run));
+    benches.extend(phases("czfo+c", &czfo_c, &run));
     benches
+}
+
+/// A filter of the paper.
+fn paper(options: CzOptions) -> CzFilter {
+    let start = start().expect("the start is a zonotope");
+    CzFilter::new(attitude(), start.into(), options).expect("the sizes fit")
 }
 
 fn attitude() -> System {
@@ -181,10 +197,7 @@ impl<M: Method> Runner<M> {
 }
 
 /// Each phase of a step along the whole run against the step.
-fn phases<M: Method + 'static>(name: &str, filter: &SetFilter<M>, run: &Rc<Trajectory>) -> Vec<Bench>
-where
-    M::Set: 'static,
-{
+fn phases<M: Method + 'static>(name: &str, filter: &SetFilter<M>, run: &Rc<Trajectory>) -> Vec<Bench> {
     let all = [
         ("prediction", Phase::Prediction),
         ("update", Phase::Update),
@@ -206,20 +219,16 @@ where
     all.into_iter().filter(|(_, phase)| seen.contains(phase)).map(row).collect()
 }
 
-/// Whole steps along the run: `ours` against `theirs`.
-pub fn duel<M: Method + 'static, P: Method + 'static>(
+/// Whole steps along the run, of one filter against another.
+fn duel<M: Method + 'static, P: Method + 'static>(
     name: &str,
-    (ours, peer): (&SetFilter<M>, &'static str),
+    ours: &SetFilter<M>,
+    peer: &'static str,
     theirs: &SetFilter<P>,
     run: &Rc<Trajectory>,
 ) -> Bench {
     let (mut ours, mut theirs) = (Runner::new(ours, run), Runner::new(theirs, run));
     let steps = run.inputs.len();
-    Bench::new(
-        name,
-        peer,
-        move || (0..steps).for_each(|_| ours.step(&mut |_| {})),
-        move || (0..steps).for_each(|_| theirs.step(&mut |_| {})),
-    )
-    .batched(steps)
+    let ours = move || (0..steps).for_each(|_| ours.step(&mut |_| {}));
+    Bench::new(name, peer, ours, move || (0..steps).for_each(|_| theirs.step(&mut |_| {}))).batched(steps)
 }

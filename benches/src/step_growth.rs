@@ -2,9 +2,9 @@
 
 use estimators::{Estimator, Rcz, RczOptions};
 use scenarios::figure::{Figure, Look, Panel, Series};
+use scenarios::monte_carlo;
 use scenarios::noise::NoiseKind;
 use scenarios::tank_chain::plant::{simulate, start, system};
-use scenarios::monte_carlo;
 
 use crate::growth::fit;
 use crate::timing::processor_time;

@@ -13,7 +13,7 @@ use scalars::Interval;
 use setrep::{ConstrainedZonotope, SetError, Strip};
 
 use crate::error::check_size;
-use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter, of_hull, of_propagation};
+use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter, of_hull, of_values};
 use crate::{Culprit, EstimatorError, System};
 use scratch::Scratch;
 
@@ -190,7 +190,7 @@ fn cut(
         // A function that is defined nowhere in the hull has no value there to be measured.
         Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => {
             let Scratch { bounds, culprits, .. } = scratch;
-            Err(of_propagation(state, &state.set, equation.culprits(None), culprits, &mut bounds.sets))
+            Err(of_values(state, &state.set, (equation, equation.culprits(None)), culprits, &mut bounds.sets))
         }
         result => result,
     }

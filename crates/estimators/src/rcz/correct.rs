@@ -7,7 +7,7 @@ use setrep::{ConstrainedZonotope, SetError};
 use super::options::RczOptions;
 use super::scratch::Scratch;
 use super::state::{RczState, cut_hull};
-use crate::set_filter::{Equation, of_hull, of_propagation, store};
+use crate::set_filter::{Equation, of_hull, of_values, store};
 use crate::{Culprit, EstimatorError};
 
 /// Cuts a state with equations, all of them together.
@@ -87,7 +87,7 @@ fn cut(
     let mut conflict = None;
     for equation in equations {
         if let Some(found) = equation.contract(options.contraction, &mut state.hull, scratch)? {
-            conflict = Some(equation.culprits(Some(found)));
+            conflict = Some((equation, equation.culprits(Some(found))));
             break;
         }
     }
@@ -101,13 +101,15 @@ fn cut(
             // What is already refuted need not be enclosed.
             Err(_) if conflict.is_some() => {}
             // A function that is defined nowhere in the box has no value there to be measured.
-            Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => conflict = Some(equation.culprits(None)),
+            Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => {
+                conflict = Some((equation, equation.culprits(None)));
+            }
             Err(error) => return Err(error),
         }
     }
     let Scratch { bounds, culprits, .. } = scratch;
     match conflict {
-        Some(conflict) => Err(of_propagation(state, trial, conflict, culprits, &mut bounds.sets)),
+        Some(conflict) => Err(of_values(state, trial, conflict, culprits, &mut bounds.sets)),
         None => Ok(()),
     }
 }

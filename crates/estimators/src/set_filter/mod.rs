@@ -6,7 +6,7 @@ mod method;
 mod stacked;
 mod state;
 
-pub(crate) use contradiction::{inconsistent, of_hull, of_propagation};
+pub(crate) use contradiction::{inconsistent, of_hull, of_values};
 pub(crate) use equation::Equation;
 pub use method::{Measured, Method, Phase};
 use scalars::Interval;

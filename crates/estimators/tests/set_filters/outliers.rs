@@ -1,7 +1,7 @@
 //! Outliers: a contradiction is proven where the rows of the last pass have no solution, and nowhere else. The oracles are another LP
 //! solver and exact rationals.
 
-use estimators::{Culprit, Estimator, EstimatorError, Evidence, Inconsistency, Rcz, RczOptions};
+use estimators::{Culprit, Estimator, EstimatorError, Evidence, Inconsistency, Rcz, RczOptions, System};
 use microlp::{ComparisonOp, OptimizationDirection};
 use num_rational::BigRational;
 use scalars::Interval;
@@ -56,7 +56,7 @@ struct Tally {
     /// Proven, by which evidence.
     by_rows: usize,
     disjoint: usize,
-    by_propagation: usize,
+    by_values: usize,
     /// Not proven though the rows of the last pass are infeasible by 1e-6.
     missed: usize,
     /// Not proven, and the rows have solutions.
@@ -74,14 +74,14 @@ impl Tally {
                 filter.restore(&before).unwrap();
             }
             Err(EstimatorError::Inconsistent(proof)) => {
-                self.add_proof(&proof);
+                self.add_proof(&proof, filter.system());
                 assert_eq!(filter.state(), &before);
             }
             Err(error) => panic!("{error}"),
         }
     }
 
-    fn add_proof(&mut self, proof: &Inconsistency) {
+    fn add_proof(&mut self, proof: &Inconsistency, system: &System) {
         assert!(proof.culprits.contains(&Culprit::Prediction) && proof.culprits.len() > 1, "{proof}");
         match &proof.evidence {
             Evidence::Rows { set, certificate } => {
@@ -95,12 +95,15 @@ impl Tally {
                 assert!(predicted.hi() < required.lo() || required.hi() < predicted.lo());
                 self.disjoint += 1;
             }
-            _ => self.by_propagation += 1,
+            _ => {
+                assert!(proof.verify_with(system) && !proof.verify(), "{proof}");
+                self.by_values += 1;
+            }
         }
     }
 
     fn proven(&self) -> usize {
-        self.by_rows + self.disjoint + self.by_propagation
+        self.by_rows + self.disjoint + self.by_values
     }
 }
 

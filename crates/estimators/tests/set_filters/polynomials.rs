@@ -1,10 +1,10 @@
 //! Single steps of random polynomial systems from states that are floats, against exact rationals.
 
-use estimators::{Estimator, Rcz, RczOptions, Relation, System, Tier};
+use estimators::{CzFilter, CzOptions, Estimator, Method, Rcz, RczOptions, Relation, SetFilter, System, Tier};
 use nonlin_bounds::Function;
 use num_rational::BigRational;
 use scalars::{Interval, Scalar};
-use setrep::{ConstrainedZonotope, Matrix, SupportFunction, Workspace, Zonotope};
+use setrep::{Complexity, ConstrainedZonotope, Matrix, SupportFunction, Workspace, Zonotope};
 
 use crate::support::{Random, cases};
 
@@ -177,22 +177,19 @@ fn check<S: SupportFunction>(hull: &[Interval], set: &S, x: &[BigRational], rand
     }
 }
 
-/// One update and one prediction of `filter`, and the same in the other order of calls: the set reduced in between.
-fn single_step<E>(filter: &mut E, hull: fn(&E) -> &[Interval], case: &Case, random: &mut Random, what: &str)
-where
-    E: Estimator<Input = [f64], Output = [f64]>,
-    E::Set: SupportFunction,
-{
+/// One update and one prediction of a filter.
+fn single_step<M: Method>(mut filter: SetFilter<M>, case: &Case, random: &mut Random, what: &str) {
     let state: Vec<BigRational> = case.x.iter().map(|&x| rational(x)).collect();
     filter.update(&case.y).unwrap_or_else(|error| panic!("update, {what}: {error}"));
-    check(hull(filter), filter.enclosure(), &state, random, &format!("update, {what}"));
+    check(filter.hull(), filter.enclosure(), &state, random, &format!("update, {what}"));
     filter.predict(&[]).unwrap_or_else(|error| panic!("prediction, {what}: {error}"));
-    check(hull(filter), filter.enclosure(), &case.next, random, &format!("prediction, {what}"));
+    check(filter.hull(), filter.enclosure(), &case.next, random, &format!("prediction, {what}"));
 }
 
+const SEED: u64 = 61;
+
 #[test]
-fn single_steps_of_polynomials_contain_the_exact_states() {
-    const SEED: u64 = 61;
+fn single_steps_of_rcz_contain_the_exact_states() {
     let mut random = Random::new(SEED);
     let (mut steps, mut cut) = (0, 0);
     for index in 0..cases(10_500) {
@@ -200,18 +197,34 @@ fn single_steps_of_polynomials_contain_the_exact_states() {
         let n = case.x.len();
         let tier = if index % 4 == 3 { Tier::Rescaling } else { Tier::LinearPrograms };
         let options = RczOptions { tier, ..if index % 2 == 0 { RczOptions::fast(n) } else { RczOptions::slow(n) } };
-        let mut filter = Rcz::new(case.system.clone(), case.set.clone(), options).unwrap();
-        let before: f64 = filter.hull().iter().map(Interval::width).sum();
-        single_step(&mut filter, Rcz::hull, &case, &mut random, &format!("seed {SEED}, case {index}"));
-        steps += 1;
+        let filter = Rcz::new(case.system.clone(), case.set.clone(), options).unwrap();
         // The measurement says something.
-        let mut updated = Rcz::new(case.system.clone(), case.set.clone(), options).unwrap();
         if index % 8 == 0 {
+            let mut updated = filter.clone();
             updated.update(&case.y).unwrap();
-            cut += usize::from(updated.hull().iter().map(Interval::width).sum::<f64>() < 0.9 * before);
+            let width = |filter: &Rcz| filter.hull().iter().map(Interval::width).sum::<f64>();
+            cut += usize::from(width(&updated) < 0.9 * width(&filter));
         }
+        single_step(filter, &case, &mut random, &format!("seed {SEED}, case {index}"));
+        steps += 1;
     }
     println!("{steps} steps; of every eighth, {cut} updates narrowed the hull by a tenth");
     assert!(steps >= cases(10_000));
     assert!(cut * 8 >= steps / 4, "{cut}");
+}
+
+#[test]
+fn single_steps_of_czmv_and_czfo_contain_the_exact_states() {
+    let mut random = Random::new(SEED + 1);
+    let mut steps = 0;
+    for index in 0..cases(10_500) {
+        let Some(case) = Case::random(&mut random) else { continue };
+        let limit = Some(Complexity { generators: 8, constraints: 3 });
+        let options = if index % 2 == 0 { CzOptions::czmv(limit) } else { CzOptions::czfo(limit) };
+        let filter = CzFilter::new(case.system.clone(), case.set.clone(), options).unwrap();
+        single_step(filter, &case, &mut random, &format!("seed {SEED}+1, case {index}"));
+        steps += 1;
+    }
+    println!("{steps} steps");
+    assert!(steps >= cases(10_000));
 }
