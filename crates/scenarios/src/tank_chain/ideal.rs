@@ -21,7 +21,7 @@ pub fn radii(n: usize, run: &Trajectory, at: &[usize]) -> Result<Vec<f64>, Scena
     let (plant, mut workspace) = (Tanks { n }, Workspace::new());
     let noise = ConstrainedZonotope::from_box(&vec![0.0; n], &vec![PROCESS_NOISE; n])?;
     let mut rows = Matrix::zeros(Levels { n }.measured().count(), n);
-    for (row, tank) in Levels { n }.measured().enumerate() {
+    for (row, tank) in (Levels { n }).measured().enumerate() {
         rows[(row, tank)] = 1.0;
     }
     let (mut set, mut enclosure, mut radii) = (start(n)?, AffineEnclosure::new(), Vec::new());
