@@ -16,6 +16,7 @@ pub mod lp_peers;
 pub mod set_filters;
 pub mod sets;
 pub mod step_growth;
+pub mod strips;
 pub mod timing;
 
 /// The functions that are timed: those of the tests.
@@ -30,6 +31,7 @@ pub fn all() -> Vec<Bench> {
     let mut benches = intervals::benches();
     benches.extend(groups::benches());
     benches.extend(sets::benches());
+    benches.extend(strips::benches());
     benches.extend(derivatives::benches());
     benches.extend(hulls::benches());
     benches.extend(constrained::benches());

@@ -46,7 +46,8 @@ pub enum Evidence {
         /// Where the measurement or the invariant puts it.
         required: Interval,
     },
-    /// Bounds of a set within this box of states cross each other. The filter run again shows it.
+    /// Bounds over this box of states left nothing: a measurement past it, or bounds of the cut set that cross. The filter run again shows
+    /// it.
     Propagation {
         /// The box.
         hull: Vec<Interval>,

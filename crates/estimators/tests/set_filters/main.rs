@@ -4,7 +4,10 @@
 
 mod bad_input;
 mod constrained;
+mod delayed;
 mod endurance;
+mod faults;
+mod linear;
 mod outliers;
 mod plants;
 mod polynomials;
@@ -13,3 +16,5 @@ mod sharpness;
 mod skew_noise;
 #[path = "../support/mod.rs"]
 mod support;
+mod zf;
+mod zonotopic;

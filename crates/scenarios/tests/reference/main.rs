@@ -3,10 +3,12 @@
 // Helpers outside the test functions fail by panic as well.
 #![allow(clippy::unwrap_used)]
 
+mod batch_reactor;
 mod determinism;
 mod images;
 mod metrics;
 mod published;
 mod sound;
 mod tank_chain;
+mod vehicle_polar;
 mod wifibot;
