@@ -61,7 +61,7 @@ pub fn contenders() -> Result<Vec<Contender>, ScenarioError> {
         limit: Complexity { generators: 8, constraints: 3 },
         feasible: Vec::new(),
     };
-    Ok(METHODS.iter().filter_map(|name| case.contender(name, Mode::Rigorous)).collect())
+    case.contenders(&METHODS, Mode::Rigorous)
 }
 
 /// The runs of all filters with noises of one kind.
