@@ -39,6 +39,16 @@ pub enum EstimatorError {
         /// Position of the range.
         index: usize,
     },
+    /// A measurement of a step that is no longer remembered, or not yet reached.
+    #[error("step {step} is not between {oldest}, the oldest that is remembered, and {newest}")]
+    OutOfReach {
+        /// The step of the measurement.
+        step: u64,
+        /// The oldest step that a measurement can come for.
+        oldest: u64,
+        /// The step under way.
+        newest: u64,
+    },
     /// Measurements, invariants and bounds contradict each other, with proof. The filter keeps its predicted set.
     #[error("{0}")]
     Inconsistent(Box<Inconsistency>),

@@ -8,6 +8,8 @@
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
 //! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
+//! | [`ZonotopeFilter`] | `R^n`, a [`System`] | zonotope: ZMV and ZFO of paper 003 | rigorous |
+//! | [`LinearCz`] | `R^n`, a [`LinearSystem`] | constrained zonotope, exact but for rounding | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //! | [`Vh`] | the same | polytope, by its vertices | rigorous |
 //! | [`DCz`], [`DZb`] | the same | constrained zonotope, zonotope bundle | rigorous |
@@ -51,10 +53,12 @@ mod estimator;
 pub mod gain;
 mod inconsistency;
 mod inzsmf;
+mod linear_cz;
 mod polytopic;
 mod rcz;
 mod set_filter;
 mod system;
+mod zonotopic;
 mod zsmf;
 
 pub use constrained::{ConstrainedMethod, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy};
@@ -63,13 +67,17 @@ pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
+pub use linear_cz::{LinearCz, LinearOptions, LinearSystem, NoiseForm};
 pub use polytopic::{
     Comb, CombMember, CombOptions, DCz, DCzOptions, DCzScratch, DZb, DZbOptions, DZbScratch, DecomposedBundle,
     DecomposedConstrained, PolytopeForm, Stability, VertexPolytopes, Vh, VhOptions, VhScratch, WidthBound, stability,
 };
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
-pub use set_filter::{FilterState, Measured, Method, Phase, SetFilter};
+pub use set_filter::{
+    DelayedFilter, Fault, FaultPolicy, FilterState, Inflate, Measured, Method, Phase, Recovery, SetFilter,
+};
 pub use system::{Invariant, Relation, System};
+pub use zonotopic::{StripForm, ZonotopeFilter, ZonotopeOptions, ZonotopicMethod};
 pub use zsmf::{Model, Zsmf};
 
 /// The README's example is a doctest.
