@@ -29,6 +29,8 @@ pub struct Scale {
     pub table_runs: usize,
     /// Steps of the tables.
     pub steps: usize,
+    /// Steps of the search for the bound, if not to [`JUDGED`].
+    pub search_steps: usize,
     /// Steps of the containment study.
     pub watched_steps: usize,
 }
@@ -38,8 +40,9 @@ impl Scale {
     #[must_use]
     pub fn of(context: &Context<'_>) -> Self {
         let runs = context.runs_or(100, 2);
-        let (table_runs, steps) = if context.quick { (runs.min(2), 60) } else { (runs.min(20), TABLE_STEPS) };
-        Self { runs, table_runs, steps, watched_steps: 40 }
+        let (table_runs, steps, watched_steps) =
+            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(10), TABLE_STEPS, 20) };
+        Self { runs, table_runs, steps, search_steps: JUDGED, watched_steps }
     }
 }
 
@@ -121,7 +124,7 @@ impl Studies {
             let contenders = rigorous(PRINTED_NOISE, &all())?;
             Ok((kind, study(context, &label, scale.runs, simulate, &contenders, &[RADIUS])?))
         };
-        let search = BOUNDS.into_iter().map(|noise| some(noise, scale.table_runs, JUDGED, &constrained));
+        let search = BOUNDS.into_iter().map(|noise| some(noise, scale.table_runs, scale.search_steps, &constrained));
         Ok(Self {
             tables: [table(PRINTED_NOISE)?, table(SMALLER_NOISE)?],
             search: search.collect::<Result<_, _>>()?,

@@ -9,7 +9,7 @@ use scenarios::noise::NoiseKind;
 use scenarios::set_study::{Contender, Course, End, Trajectory};
 use scenarios::{Context, Experiment};
 
-use crate::random;
+use crate::{cases, random};
 
 const KINDS: [NoiseKind; 3] = [NoiseKind::Uniform, NoiseKind::Vertices, NoiseKind::ConstantVertex];
 
@@ -27,7 +27,7 @@ fn check(trajectory: &Trajectory, contenders: &[Contender], kind: NoiseKind) {
 fn planar_truth_is_never_lost() {
     let contenders = contenders().unwrap();
     for kind in KINDS {
-        for run in 0..10 {
+        for run in 0..cases(10) {
             check(&plant::simulate(kind, 20, &mut random(kind.name(), run)).unwrap(), &contenders, kind);
         }
     }
@@ -37,8 +37,8 @@ fn planar_truth_is_never_lost() {
 fn attitude_truth_is_never_lost() {
     let contenders = rigorous(PRINTED_NOISE, &all()).unwrap();
     for kind in KINDS {
-        for run in 0..2 {
-            check(&simulate(PRINTED_NOISE, kind, 25, &mut random(kind.name(), run)).unwrap(), &contenders, kind);
+        for run in 0..cases(1) {
+            check(&simulate(PRINTED_NOISE, kind, 12, &mut random(kind.name(), run)).unwrap(), &contenders, kind);
         }
     }
 }
@@ -49,7 +49,7 @@ fn results_do_not_depend_on_threads() {
     let results = |threads: usize| -> String {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let context = Context { quick: true, runs: Some(2), ..Context::new(5) };
-        let scale = Scale { runs: 2, table_runs: 2, steps: 8, watched_steps: 4 };
+        let scale = Scale { runs: 2, table_runs: 2, steps: 3, search_steps: 2, watched_steps: 2 };
         let (planar, attitude) =
             pool.install(|| (PlanarExperiment.run(&context).unwrap(), Studies::run(&context, &scale).unwrap()));
         let mut results = planar.results;

@@ -30,3 +30,8 @@ fn random(name: &str, run: usize) -> ChaCha8Rng {
 fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
+
+/// So many runs, times the environment variable `ORBITOPE_CASES`.
+fn cases(count: usize) -> usize {
+    count * std::env::var("ORBITOPE_CASES").ok().and_then(|factor| factor.parse().ok()).unwrap_or(1)
+}
