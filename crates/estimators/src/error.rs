@@ -116,10 +116,36 @@ pub enum EstimatorError {
         /// Largest error accepted.
         tolerance: f64,
     },
-    /// A matrix factorisation did not converge.
+    /// A covariance is not positive semidefinite, or has lost that by a negative weight.
+    #[error("{what} is not positive semidefinite: pivot {index} is {value:e}")]
+    NotPositive {
+        /// The covariance.
+        what: &'static str,
+        /// Position of the pivot; outputs come before states where both are meant.
+        index: usize,
+        /// The squared pivot that was left.
+        value: f64,
+    },
+    /// A covariance is not symmetric.
+    #[error("{what}: entries ({row}, {col}) and ({col}, {row}) differ")]
+    NotSymmetric {
+        /// The covariance.
+        what: &'static str,
+        /// Row of the entry.
+        row: usize,
+        /// Its column.
+        col: usize,
+    },
+    /// Weights that give no sigma points in this dimension.
+    #[error("these weights put the sigma points at a squared distance of {squared_spread}, need a finite positive one")]
+    NoSigmaPoints {
+        /// Squared distance of the points from the mean, in standard deviations.
+        squared_spread: f64,
+    },
+    /// A matrix factorisation or an iteration did not converge.
     #[error("{what} did not converge")]
     NoConvergence {
-        /// The factorisation.
+        /// What did not.
         what: &'static str,
     },
     /// Placed poles are those of `A - L C` over a whole step; an update alone does not know `A`.

@@ -3,12 +3,14 @@
 mod options;
 mod scratch;
 mod strips;
+mod zf;
 mod zfo;
 mod zmv;
 
 pub use options::{StripForm, ZonotopeOptions};
 use scalars::Interval;
 use setrep::{SetError, Zonotope};
+pub use zf::{LinearizedZf, Zf, ZfMethod, ZfOptions};
 
 use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter, check_strips};
 use crate::{Culprit, EstimatorError, Extension, System};

@@ -21,15 +21,18 @@ pub struct Scratch {
     /// The direction of a strip.
     pub(super) direction: Vec<f64>,
     pub(super) stacked: Stacked,
+    /// The set with the noises.
+    pub(super) product: Option<Zonotope>,
     /// The hull of a set.
     pub(super) own: Vec<Interval>,
 }
 
 impl Scratch {
     /// The box of states and noises, and their centers as the point of expansion: those lie in the hulls, up to rounding.
-    pub(super) fn about_centers(&mut self, state: &State, noise: &Zonotope) -> Result<(), EstimatorError> {
-        self.stacked.fill(&state.hull, Some(noise))?;
-        let (centers, point) = (state.set.center().iter().chain(noise.center()), &mut self.stacked.point);
+    pub(super) fn about_centers(&mut self, state: &State, noise: Option<&Zonotope>) -> Result<(), EstimatorError> {
+        self.stacked.fill(&state.hull, noise)?;
+        let noise = noise.map_or(&[][..], Zonotope::center);
+        let (centers, point) = (state.set.center().iter().chain(noise), &mut self.stacked.point);
         point.clear();
         point.extend(centers.zip(&self.stacked.sides).map(|(c, side)| c.clamp(side.lo(), side.hi())));
         Ok(())

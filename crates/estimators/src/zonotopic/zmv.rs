@@ -23,7 +23,7 @@ pub(super) fn image(
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
     let noise = system.process_noise();
-    scratch.about_centers(state, noise)?;
+    scratch.about_centers(state, Some(noise))?;
     let Scratch { bounds, enclosure, stacked, .. } = scratch;
     let domain = Domain::new(&stacked.sides, &stacked.point).with_parameters(input).with_noises(noise.dim());
     enclosure.enclose(Form::MeanValue, system.dynamics().function(), &domain, bounds)?;

@@ -10,4 +10,5 @@ mod plants;
 mod rcz;
 #[path = "../support/mod.rs"]
 mod support;
+mod zf;
 mod zonotopic;
