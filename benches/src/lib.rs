@@ -14,6 +14,7 @@ pub mod hulls;
 pub mod intervals;
 pub mod lp_peers;
 pub mod sets;
+pub mod strips;
 pub mod timing;
 
 /// The functions that are timed: those of the tests.
@@ -28,6 +29,7 @@ pub fn all() -> Vec<Bench> {
     let mut benches = intervals::benches();
     benches.extend(groups::benches());
     benches.extend(sets::benches());
+    benches.extend(strips::benches());
     benches.extend(derivatives::benches());
     benches.extend(hulls::benches());
     benches.extend(constrained::benches());

@@ -21,7 +21,7 @@ const PACKAGES: [(&str, &[&str]); 7] = [
     ("lie-groups", &["containment"]),
     ("setrep", &["containment", "cz", "bundle", "polytope", "plot", "laws"]),
     ("nonlin-bounds", &["derivatives", "range", "images", "polytopic", "contract"]),
-    ("estimators", &["containment", "set_filters"]),
+    ("estimators", &["containment", "polytopic", "set_filters"]),
     ("scenarios", &["containment"]),
 ];
 

@@ -3,7 +3,7 @@
 //! On a box of coordinates `zeta` in `[-1, 1]^k` with `x = c + T zeta`, and for shifts `m` that make `g = f_i(c + T zeta) - m'zeta` monotone in
 //! every coordinate, `g` lies between its values at two opposite corners: `f_i` in `m'zeta + [g(zl), g(zu)]`. Two frames `T` are tried, the
 //! generators of the set (`zeta = xi`, the corners may lie outside of a constrained set) and the axes of its hull (`zeta` linear in `x`), each with
-//! several choices of signs, and the row whose residual is narrowest is kept.
+//! several choices of signs, and the rows whose residuals are narrowest are kept.
 
 use scalars::Interval;
 use scalars::rounding::add_up;
@@ -21,10 +21,12 @@ pub(crate) struct Decomposition {
     pub(crate) set: ConstrainedZonotope,
     /// Its interval hull.
     pub(crate) hull: IntervalVector,
-    /// The rows, `m x ng`.
+    /// The rows, `m x ng`, one an output.
     pub(crate) rows: Matrix,
-    /// The residuals.
+    /// Their residuals, the narrowest found.
     pub(crate) residuals: Vec<Interval>,
+    /// The next rows and residuals, if they were asked for; an output with fewer repeats its first.
+    pub(crate) others: Vec<(Matrix, Vec<Interval>)>,
 }
 
 impl Decomposition {
@@ -33,6 +35,17 @@ impl Decomposition {
         f: &dyn DynFunction,
         set: &ConstrainedZonotope,
         p: &[Interval],
+        workspace: &mut Workspace,
+    ) -> Result<Self, BoundError> {
+        Self::with_others(f, set, p, 1, workspace)
+    }
+
+    /// Decomposes `f` over a set in up to `count` ways.
+    pub(crate) fn with_others(
+        f: &dyn DynFunction,
+        set: &ConstrainedZonotope,
+        p: &[Interval],
+        count: usize,
         workspace: &mut Workspace,
     ) -> Result<Self, BoundError> {
         BoundError::check_size(Operand::Variables, f.variables(), set.dim())?;
@@ -54,25 +67,30 @@ impl Decomposition {
         // Outside of the hull, where the generators of a constrained set reach, the function may not be smooth: then they give no rows.
         let over_body = Directional::over(f, &set.unconstrained().interval_hull(), set.center(), p).ok();
         let m = f.outputs();
-        let mut rows = Matrix::zeros(m, set.num_generators());
-        let mut residuals = Vec::with_capacity(m);
-        let mut search =
-            Search { f, p, set: &set, hull: &hull, i: 0, signs: Signs::default(), jet: Jet::new(), best: None };
+        let empty = (Matrix::zeros(m, set.num_generators()), Vec::with_capacity(m));
+        let mut ways = vec![empty; count.max(1)];
+        let signs = Signs::default();
+        let mut search = Search { f, p, set: &set, hull: &hull, i: 0, signs, jet: Jet::new(), count, best: Vec::new() };
         for i in 0..m {
-            (search.i, search.best) = (i, None);
+            (search.i, search.best) = (i, Vec::new());
             search.over_axes(&over_hull.along_axes(i, &hull, &middle))?;
             if let Some(body) = over_body.as_ref().filter(|body| body.over.smoothness()[i] >= Smoothness::C1) {
                 search.over_generators(&body.along_generators(i, &set))?;
             }
-            let (row, residual) = search.best.take().ok_or(BoundError::UnboundedResult { output: i })?;
-            row.iter().enumerate().for_each(|(j, &entry)| rows[(i, j)] = entry);
-            residuals.push(residual);
+            let first = search.best.first().ok_or(BoundError::UnboundedResult { output: i })?;
+            for (way, (rows, residuals)) in ways.iter_mut().enumerate() {
+                let (row, residual) = search.best.get(way).unwrap_or(first);
+                row.iter().enumerate().for_each(|(j, &entry)| rows[(i, j)] = entry);
+                residuals.push(*residual);
+            }
         }
-        Ok(Self { set, hull, rows, residuals })
+        let others = ways.split_off(1);
+        let (rows, residuals) = ways.pop().unwrap_or_default();
+        Ok(Self { set, hull, rows, residuals, others })
     }
 }
 
-/// The search for the best row of one output.
+/// The search for the best rows of one output.
 struct Search<'a> {
     f: &'a dyn DynFunction,
     p: &'a [Interval],
@@ -81,7 +99,9 @@ struct Search<'a> {
     i: usize,
     signs: Signs,
     jet: Jet,
-    best: Option<(Vec<f64>, Interval)>,
+    /// Most rows to keep, and those found, the narrowest residual first.
+    count: usize,
+    best: Vec<(Vec<f64>, Interval)>,
 }
 
 impl Search<'_> {
@@ -162,11 +182,13 @@ impl Search<'_> {
         self.offer(row, (residual + spread).inflate(rounding));
     }
 
-    /// Keeps a row if it is finite and its residual is the narrowest so far.
+    /// Keeps a row if it is finite and its residual is among the narrowest so far.
     fn offer(&mut self, row: Vec<f64>, residual: Interval) {
         let finite = residual.is_bounded() && row.iter().all(|entry| entry.is_finite());
-        if finite && self.best.as_ref().is_none_or(|(_, best)| residual.width() < best.width()) {
-            self.best = Some((row, residual));
+        let place = self.best.partition_point(|(_, better)| better.width() <= residual.width());
+        if finite && place < self.count.max(1) && self.best.iter().all(|(known, _)| *known != row) {
+            self.best.truncate(self.count.max(1) - 1);
+            self.best.insert(place.min(self.best.len()), (row, residual));
         }
     }
 }

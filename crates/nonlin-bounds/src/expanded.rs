@@ -26,11 +26,25 @@ impl Expanded {
         p: &[Interval],
         jet: &mut Jet,
     ) -> Result<Self, BoundError> {
+        Self::over_product(f, set, &[], at, p, jet)
+    }
+
+    /// Expands `f` over the interval hull of a polytope and a box of noises, whose center is its middle.
+    pub(crate) fn over_product(
+        f: &dyn DynFunction,
+        set: &VPolytope,
+        noise: &[Interval],
+        at: Expansion<'_>,
+        p: &[Interval],
+        jet: &mut Jet,
+    ) -> Result<Self, BoundError> {
         let n = f.variables();
-        BoundError::check_size(Operand::Variables, n, set.dim())?;
+        BoundError::check_size(Operand::Variables, n, set.dim() + noise.len())?;
         let share = 1.0 / set.num_vertices() as f64;
-        let mean: Vec<f64> = (0..n).map(|k| set.vertices().columns().map(|v| v[k] * share).sum()).collect();
-        let hull = set.interval_hull();
+        let mut mean: Vec<f64> = (0..set.dim()).map(|k| set.vertices().columns().map(|v| v[k] * share).sum()).collect();
+        mean.extend(noise.iter().map(Interval::mid));
+        let hull: IntervalVector = set.interval_hull().iter().chain(noise).copied().collect();
+        BoundError::check_box(Operand::Hull, n, &hull)?;
         let mut point = vec![0.0; n];
         at.of_zonotope(&Zonotope::point(&mean)?, &hull, &mut point)?;
         evaluate(f, Order::Jacobian, &hull, p, jet)?;
@@ -57,16 +71,17 @@ impl Expanded {
         &self.jacobian[i * n..(i + 1) * n]
     }
 
-    /// `f_i(x_0) + [J_i] (x - x_0)`.
+    /// `f_i(x_0) + [J_i] (x - x_0)`; coordinates that `x` does not have stay at `x_0`.
     pub(crate) fn reach(&self, i: usize, x: &[f64]) -> Interval {
         self.row(i).iter().zip(x.iter().zip(&self.point)).fold(self.value[i], |sum, (slope, (&x, &x0))| {
             if x == x0 { sum } else { sum + *slope * (Interval::point(x) - Interval::point(x0)) }
         })
     }
 
-    /// The midpoints of row `i` of `[J]`.
-    pub(crate) fn middle(&self, i: usize) -> Vec<f64> {
-        self.row(i).iter().map(Interval::mid).collect()
+    /// `[J_ik] (x_k - x_0k)` for the values of one coordinate.
+    pub(crate) fn share(&self, i: usize, k: usize, values: Interval) -> Interval {
+        let slope = self.row(i)[k];
+        if slope == Interval::ZERO { Interval::ZERO } else { slope * (values - Interval::point(self.point[k])) }
     }
 
     /// `[J_i] e` for `|e| <= r`, as a half-width.

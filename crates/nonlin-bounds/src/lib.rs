@@ -34,8 +34,8 @@
 //! theorem; images of zonotopes and constrained zonotopes, and rows that solutions fulfil, are then linear. [`affine_image`] and
 //! [`affine_solution`] do it in one call. A [`QuadraticEnclosure`] keeps the quadratic term as a set of its own.
 //!
-//! [`polytopic_image`] and [`polytopic_solution`] go from vertex to vertex of a polytope, [`polytopic_solution_lift`] over the weights of its
-//! vertices. Which enclosure to take for which function is in the repository's `docs/IMAGES.md`, with measured tightness and cost.
+//! [`polytopic_image`] and [`polytopic_solution`] go from vertex to vertex of a polytope ([`polytopic_image_with_noise`] and [`polytopic_strips`]
+//! with boxes of noise), [`polytopic_solution_lift`] over the weights of its vertices. Which enclosure to take for which function is in the repository's `docs/IMAGES.md`, with measured tightness and cost.
 
 mod affine;
 mod buffer;
@@ -51,6 +51,7 @@ mod function;
 mod image;
 mod integrators;
 mod jet;
+mod linear;
 mod macros;
 mod parallelotope;
 mod quadratic;
@@ -70,14 +71,18 @@ pub use expansion::Expansion;
 pub use function::{DynFunction, Function, Order};
 pub use image::{
     ConvexSplit, GeneratorSet, affine_image, dc_image, dc_image_of_zonotope, decomposition_image,
-    decomposition_image_of_zonotope, polytopic_image,
+    decomposition_image_of_zonotope, decomposition_images_of_zonotope, polytopic_image, polytopic_image_with_noise,
 };
 pub use integrators::{Euler, Flow, Heun, Rk4};
 pub use jet::Jet;
+pub use linear::Linear;
 pub use quadratic::{Copies, QuadraticEnclosure};
 pub use range::{RangeMethod, range};
 pub use scalars;
 pub use smoothness::Smoothness;
-pub use solution::{Rows, affine_solution, decomposition_solution, polytopic_solution, polytopic_solution_lift};
+pub use solution::{
+    OutputStrip, PolytopicCut, Rows, affine_solution, decomposition_solution, polytopic_solution,
+    polytopic_solution_lift, polytopic_strips,
+};
 pub use tape::Tape;
 pub use workspace::Workspace;

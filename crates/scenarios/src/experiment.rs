@@ -24,7 +24,15 @@ pub trait Experiment: Sync {
 /// All experiments, in the order in which they are run and shown.
 #[must_use]
 pub fn all() -> Vec<&'static dyn Experiment> {
-    vec![&crate::inzsmf::InZsmfExperiment, &crate::wifibot::WifibotExperiment, &crate::images::ImagesExperiment]
+    vec![
+        &crate::inzsmf::InZsmfExperiment,
+        &crate::wifibot::WifibotExperiment,
+        &crate::images::ImagesExperiment,
+        &crate::cz_planar::PlanarExperiment,
+        &crate::cz_attitude::AttitudeExperiment,
+        &crate::batch_reactor::BatchReactorExperiment,
+        &crate::vehicle_polar::VehiclePolarExperiment,
+    ]
 }
 
 /// A sign of life: `done` of `total` runs of `label` have ended.

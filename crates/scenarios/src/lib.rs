@@ -1,9 +1,15 @@
 //! The papers' experiments: plants, simulators, noise, metrics, Monte Carlo runs, figures.
 //!
 //! An [`Experiment`] is found in [`all`], is given a [`Context`] and hands back an [`Output`]: rows of numbers ([`results`]), a text
-//! ([`report`]), figures ([`figure`]) and curves ([`curve`]), all in memory. Random streams and parallel runs come from [`monte_carlo`].
+//! ([`report`]), figures ([`figure`]) and curves ([`curve`]), all in memory. Random streams and parallel runs come from [`monte_carlo`];
+//! what experiments with set-valued filters share is in [`set_study`].
 
+pub mod batch_reactor;
+pub mod contender;
+pub mod contest;
 pub mod curve;
+pub mod cz_attitude;
+pub mod cz_planar;
 pub mod data;
 mod error;
 pub mod experiment;
@@ -15,10 +21,13 @@ pub mod metrics;
 pub mod monte_carlo;
 pub mod noise;
 pub mod published;
+pub mod region;
 pub mod report;
 pub mod results;
+pub mod set_study;
 pub mod truth;
 pub mod vehicle;
+pub mod vehicle_polar;
 pub mod wifibot;
 
 pub use curve::Curve;

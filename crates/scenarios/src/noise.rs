@@ -1,4 +1,4 @@
-//! Bounded noises: four ways to draw a vector from the closed box `{ v : |v_i| <= bound_i }`.
+//! Bounded noises: four ways to draw a vector from the closed box `{ v : |v_i| <= bound_i }`, of a fixed dimension or of any.
 
 use rand::{Rng, RngExt};
 
@@ -70,19 +70,45 @@ impl<const N: usize> BoundedNoise<N> {
     }
 }
 
+/// A source of noise vectors in a box of any dimension: every kind is drawn entry by entry.
+#[derive(Clone, Debug)]
+pub struct BoxNoise {
+    entries: Vec<BoundedNoise<1>>,
+}
+
+impl BoxNoise {
+    /// A noise in `{ v : |v_i| <= bounds_i }`, as [`BoundedNoise::new`].
+    #[must_use]
+    pub fn new(kind: NoiseKind, bounds: &[f64]) -> Self {
+        Self { entries: bounds.iter().map(|&bound| BoundedNoise::new(kind, [bound])).collect() }
+    }
+
+    /// The next vector.
+    ///
+    /// **Guarantee:** as [`BoundedNoise::draw`].
+    pub fn draw<R: Rng>(&mut self, rng: &mut R) -> Vec<f64> {
+        self.entries.iter_mut().map(|entry| entry.draw(rng)[0]).collect()
+    }
+}
+
 /// One of the `2^N` vertices of the box.
 fn vertex<const N: usize, R: Rng>(bounds: &[f64; N], rng: &mut R) -> [f64; N] {
     bounds.map(|bound| if rng.random::<bool>() { bound } else { -bound })
 }
 
-/// A Gaussian of standard deviation 1/3, given that it lies in `[-1, 1]` (Box-Muller, then rejection: 0.3 % are drawn again).
+/// A Gaussian of standard deviation 1/3, given that it lies in `[-1, 1]` (rejection: 0.3 % are drawn again).
 fn truncated_gaussian<R: Rng>(rng: &mut R) -> f64 {
     loop {
-        // 1 - u lies in (0, 1], where the logarithm is finite.
-        let radius = (-2.0 * (1.0 - rng.random::<f64>()).ln()).sqrt();
-        let value = radius * (std::f64::consts::TAU * rng.random::<f64>()).cos() / SIGMAS_TO_THE_BOUND;
+        let value = standard_normal(rng) / SIGMAS_TO_THE_BOUND;
         if value.abs() <= 1.0 {
             return value;
         }
     }
+}
+
+/// A Gaussian of mean 0 and standard deviation 1, without bounds (Box-Muller).
+pub fn standard_normal<R: Rng>(rng: &mut R) -> f64 {
+    // 1 - u lies in (0, 1], where the logarithm is finite.
+    let radius = (-2.0 * (1.0 - rng.random::<f64>()).ln()).sqrt();
+    radius * (std::f64::consts::TAU * rng.random::<f64>()).cos()
 }

@@ -122,6 +122,12 @@ impl Table {
         table
     }
 
+    /// A row's number, its deviation and the paper's number, as [`Table::LEGEND`] says.
+    #[must_use]
+    pub fn cell(row: &Row) -> String {
+        cell_of(row)
+    }
+
     fn to_markdown(&self) -> String {
         let line = |cells: &[String]| {
             let cells: Vec<String> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();

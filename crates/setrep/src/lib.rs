@@ -35,6 +35,7 @@
 
 mod bounds;
 mod bundle;
+mod cholesky;
 mod constrained_zonotope;
 mod error;
 mod interval_matrix;
@@ -61,6 +62,7 @@ pub use interval_matrix::IntervalMatrix;
 pub use interval_vector::IntervalVector;
 pub use matrix::Matrix;
 pub use ops::membership::{FACET_LIMIT, Membership};
+pub use ops::strip::{StripCut, StripRule};
 pub use ops::volume::MINOR_LIMIT;
 pub use plot::{Mesh, Outline};
 pub use polytope::{ChebyshevBall, Feasibility, HPolytope, MAX_FACES, PolytopeOptimizer, VPolytope};

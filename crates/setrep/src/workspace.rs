@@ -20,6 +20,8 @@ pub struct Workspace {
     pub(crate) coordinates: Vec<f64>,
     pub(crate) scales: Vec<f64>,
     pub(crate) eigen: Vec<f64>,
+    /// The covariation of a set.
+    pub(crate) gram: crate::Matrix,
     /// Ranges of the rows being built.
     pub(crate) ranges: Vec<scalars::Interval>,
     /// Ranges of the rows to be cut by.
@@ -28,6 +30,8 @@ pub struct Workspace {
     pub(crate) solver: Option<boxlp::Solver>,
     /// An objective of these.
     pub(crate) objective: Vec<f64>,
+    /// Tables of minors.
+    pub(crate) wedge: Option<crate::wedge::Wedge<f64>>,
     /// A constrained zonotope being changed, one to return to, and one lifted to a zonotope.
     pub(crate) draft: Option<crate::ConstrainedZonotope>,
     pub(crate) backup: Option<crate::ConstrainedZonotope>,

@@ -4,11 +4,10 @@ use nonlin_bounds::BoundError;
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, SetError};
 
-use super::contradiction;
-use super::equation::Equation;
 use super::options::RczOptions;
-use super::scratch::{Scratch, store};
-use super::state::RczState;
+use super::scratch::Scratch;
+use super::state::{RczState, cut_hull};
+use crate::set_filter::{Equation, of_hull, of_propagation, store};
 use crate::{Culprit, EstimatorError};
 
 /// Cuts a state with equations, all of them together.
@@ -54,7 +53,7 @@ fn passes(
             break;
         }
     }
-    state.directions.append(&scratch.directions)?;
+    state.memory.directions.append(&scratch.directions)?;
     Ok(())
 }
 
@@ -90,13 +89,13 @@ fn one_pass(
     }
     let Scratch { bounds, own, culprits, .. } = scratch;
     if let Some(conflict) = conflict {
-        return Err(contradiction::of_propagation(state, trial, conflict, culprits, &mut bounds.sets));
+        return Err(of_propagation(state, trial, conflict, culprits, &mut bounds.sets));
     }
     let held = &mut scratch.held;
     held.clone_from(&state.hull);
-    RczState::cut_hull(trial, &mut state.hull, own, options, &mut bounds.sets)?;
+    cut_hull(trial, &mut state.hull, own, options, &mut bounds.sets)?;
     if state.hull.iter().any(Interval::is_empty) {
-        return Err(contradiction::of_hull(state.step, trial, (own, held), culprits, &mut bounds.sets));
+        return Err(of_hull(state.step, trial, (own, held), culprits, &mut bounds.sets));
     }
     Ok(())
 }

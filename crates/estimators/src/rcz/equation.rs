@@ -1,24 +1,14 @@
-//! [`Equation`]: `g(x, v) in Y`, as a measurement or an invariant states it.
+//! What an [`Equation`] says of a box and of a set.
 
 use nonlin_bounds::{BoundError, Conflict, Contraction, Domain, ForwardBackward};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
-use super::scratch::{Scratch, is_box, store};
-use crate::system::Relation;
-use crate::{Culprit, EstimatorError};
+use super::scratch::Scratch;
+use crate::EstimatorError;
+use crate::set_filter::{Equation, is_box, store};
 
-/// A function, the values that it takes, and where they come from.
-#[derive(Clone, Copy)]
-pub(super) struct Equation<'a> {
-    pub(super) relation: &'a Relation,
-    /// The noises after the states, if there are any.
-    pub(super) noise: Option<&'a Zonotope>,
-    pub(super) values: &'a [Interval],
-    pub(super) parameters: &'a [Interval],
-    pub(super) culprit: fn(usize) -> Culprit,
-}
-
+/// What [`Rcz`](crate::Rcz) does with an equation.
 impl Equation<'_> {
     /// Shrinks the box of states by propagation through the tape; a conflict leaves it as it was.
     pub(super) fn contract(
@@ -28,8 +18,9 @@ impl Equation<'_> {
         scratch: &mut Scratch,
     ) -> Result<Option<Conflict>, EstimatorError> {
         let Some(tape) = self.relation.tape() else { return Ok(None) };
-        scratch.stack(hull, self.noise)?;
-        let Scratch { bounds, sides, .. } = scratch;
+        let Scratch { bounds, stacked, .. } = scratch;
+        stacked.fill(hull, self.noise)?;
+        let sides = &mut stacked.sides;
         if let Contraction::ProvenEmpty(conflict) =
             contractor.contract(tape, sides, self.parameters, self.values, bounds)?
         {
@@ -40,14 +31,6 @@ impl Equation<'_> {
         Ok(None)
     }
 
-    /// The outputs that a conflict names: one, or all.
-    pub(super) fn culprits(&self, conflict: Option<Conflict>) -> Vec<Culprit> {
-        match conflict {
-            Some(Conflict::Output { output, .. }) => vec![(self.culprit)(output)],
-            _ => (0..self.values.len()).map(self.culprit).collect(),
-        }
-    }
-
     /// Cuts a set with the rows of the equation over the box of states, and notes where each row comes from.
     pub(super) fn cut(
         &self,
@@ -55,10 +38,11 @@ impl Equation<'_> {
         set: &mut ConstrainedZonotope,
         scratch: &mut Scratch,
     ) -> Result<(), EstimatorError> {
-        scratch.stack(hull, self.noise)?;
-        let Scratch { bounds, enclosure, rows, sides, point, noise: storage, culprits, directions, .. } = scratch;
-        let domain =
-            Domain::new(sides, point).with_parameters(self.parameters).with_noises(self.noise.map_or(0, Zonotope::dim));
+        let Scratch { bounds, enclosure, rows, stacked, noise: storage, culprits, directions, .. } = scratch;
+        stacked.fill(hull, self.noise)?;
+        let domain = Domain::new(&stacked.sides, &stacked.point)
+            .with_parameters(self.parameters)
+            .with_noises(self.noise.map_or(0, Zonotope::dim));
         enclosure.enclose_where_possible(self.relation.function(), &domain, bounds)?;
         enclosure.rows_into(hull.len(), self.values, rows)?;
         directions.push_rows(rows.directions())?;

@@ -3,10 +3,10 @@
 use nonlin_bounds::Domain;
 use scalars::Interval;
 
-use super::contradiction;
 use super::options::RczOptions;
 use super::scratch::Scratch;
-use super::state::RczState;
+use super::state::{RczState, cut_hull};
+use crate::set_filter::of_hull;
 use crate::{EstimatorError, System};
 
 /// Moves a state on by one step of the dynamics.
@@ -17,29 +17,28 @@ use crate::{EstimatorError, System};
 pub(super) fn advance(
     system: &System,
     options: &RczOptions,
-    input: &[f64],
+    input: &[Interval],
     state: &mut RczState,
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
     let (n, noise) = (system.states(), system.process_noise());
-    scratch.stack(&state.hull, Some(noise))?;
-    scratch.set_parameters(input);
-    let Scratch { bounds, enclosure, sides, point, parameters, own, held, map, .. } = scratch;
-    let domain = Domain::new(sides, point).with_parameters(parameters).with_noises(noise.dim());
+    let Scratch { bounds, enclosure, stacked, own, held, map, .. } = scratch;
+    stacked.fill(&state.hull, Some(noise))?;
+    let domain = Domain::new(&stacked.sides, &stacked.point).with_parameters(input).with_noises(noise.dim());
     enclosure.enclose_where_possible(system.dynamics().function(), &domain, bounds)?;
 
     state.set.product_assign_zonotope(noise);
     enclosure.image_in_place(&mut state.set, bounds)?;
     map.assign_column_slice(n, n, &enclosure.jacobian().as_slice()[..n * n])?;
-    state.directions.transport(map, &mut bounds.sets)?;
+    state.memory.directions.transport(map, &mut bounds.sets)?;
     state.step += 1;
-    state.unreduced += 1;
+    state.memory.unreduced += 1;
 
     enclosure.range_into(&mut state.hull)?;
     held.clone_from(&state.hull);
-    RczState::cut_hull(&mut state.set, &mut state.hull, own, options, &mut bounds.sets)?;
+    cut_hull(&mut state.set, &mut state.hull, own, options, &mut bounds.sets)?;
     if state.hull.iter().any(Interval::is_empty) {
-        return Err(contradiction::of_hull(state.step, &state.set, (own, held), &[], &mut bounds.sets));
+        return Err(of_hull(state.step, &state.set, (own, held), &[], &mut bounds.sets));
     }
     Ok(())
 }

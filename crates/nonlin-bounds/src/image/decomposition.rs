@@ -31,8 +31,8 @@ pub fn decomposition_image(
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<ConstrainedZonotope, BoundError> {
-    let (decomposition, sides) = decompose(f, set, p, workspace)?;
-    let body = assemble(&decomposition)?;
+    let (decomposition, sides) = decompose(f, set, p, 1, workspace)?;
+    let body = assemble(&decomposition.rows, &decomposition.residuals)?;
     let cut: Vec<usize> = (0..sides.len()).filter(|&i| !body_side(&body, i).subset_of(&sides[i])).collect();
     let source = &decomposition.set;
     let mut image = ConstrainedZonotope::with_constraints(&body, source.constraints(), source.ranges())?;
@@ -58,40 +58,64 @@ pub fn decomposition_image_of_zonotope(
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<Zonotope, BoundError> {
-    let (decomposition, _) = decompose(f, &ConstrainedZonotope::from(set.clone()), p, workspace)?;
-    assemble(&decomposition)
+    let (decomposition, _) = decompose(f, &ConstrainedZonotope::from(set.clone()), p, 1, workspace)?;
+    assemble(&decomposition.rows, &decomposition.residuals)
 }
 
-/// The decomposition over a set and the tight range over its hull, which replaces a row whose residual is not narrower.
+/// Up to `count` images of a zonotope, each with other rows: [`decomposition_image_of_zonotope`], then the same with the next narrowest residuals.
+/// The image lies in all of them.
+///
+/// **Guarantee:** each is a superset of the image, rounding included.
+/// **Source:** D-ZB of reference 16 of paper 004, whose bundles have a member for every choice of signs.
+///
+/// # Errors
+/// As [`decomposition_image`].
+pub fn decomposition_images_of_zonotope(
+    f: &dyn DynFunction,
+    set: &Zonotope,
+    p: &[Interval],
+    count: usize,
+    workspace: &mut Workspace,
+) -> Result<Vec<Zonotope>, BoundError> {
+    let (decomposition, _) = decompose(f, &ConstrainedZonotope::from(set.clone()), p, count, workspace)?;
+    let first = assemble(&decomposition.rows, &decomposition.residuals)?;
+    let others = decomposition.others.iter().map(|(rows, residuals)| assemble(rows, residuals));
+    core::iter::once(Ok(first)).chain(others).collect()
+}
+
+/// The decomposition over a set in up to `count` ways, and the tight range over its hull, which replaces a row whose residual is not narrower.
 fn decompose(
     f: &dyn DynFunction,
     set: &ConstrainedZonotope,
     p: &[Interval],
+    count: usize,
     workspace: &mut Workspace,
 ) -> Result<(Decomposition, Vec<Interval>), BoundError> {
-    let mut decomposition = Decomposition::of(f, set, p, workspace)?;
+    let mut decomposition = Decomposition::with_others(f, set, p, count, workspace)?;
     let mut sides = vec![Interval::ENTIRE; f.outputs()];
     match range(f, &decomposition.hull, p, RangeMethod::Tight, workspace, &mut sides) {
         // The rows stand without it.
         Err(error) if !error.is_of_the_box() => return Err(error),
         _ => {}
     }
-    for (i, side) in sides.iter().enumerate() {
-        let residual = &mut decomposition.residuals[i];
-        if side.width() <= residual.width() {
-            *residual = *side;
-            (0..decomposition.rows.cols()).for_each(|j| decomposition.rows[(i, j)] = 0.0);
+    let Decomposition { rows, residuals, others, .. } = &mut decomposition;
+    let ways = others.iter_mut().map(|(rows, residuals)| (rows, residuals));
+    for (rows, residuals) in core::iter::once((rows, residuals)).chain(ways) {
+        for (i, side) in sides.iter().enumerate() {
+            if side.width() <= residuals[i].width() {
+                residuals[i] = *side;
+                (0..rows.cols()).for_each(|j| rows[(i, j)] = 0.0);
+            }
         }
     }
     Ok((decomposition, sides))
 }
 
 /// `<mid g, H, rad g>`.
-fn assemble(decomposition: &Decomposition) -> Result<Zonotope, BoundError> {
-    let residuals = &decomposition.residuals;
+fn assemble(rows: &Matrix, residuals: &[Interval]) -> Result<Zonotope, BoundError> {
     let center: Vec<f64> = residuals.iter().map(Interval::mid).collect();
     let radii: Vec<f64> = residuals.iter().map(Interval::rad).collect();
-    Ok(Zonotope::with_remainder(&center, &decomposition.rows, &radii)?)
+    Ok(Zonotope::with_remainder(&center, rows, &radii)?)
 }
 
 /// Side `i` of the hull of a zonotope.

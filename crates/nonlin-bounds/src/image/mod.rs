@@ -23,6 +23,6 @@ mod set;
 pub use affine::affine_image;
 pub(crate) use affine::enclose_over_hull;
 pub use dc::{ConvexSplit, dc_image, dc_image_of_zonotope};
-pub use decomposition::{decomposition_image, decomposition_image_of_zonotope};
-pub use polytopic::polytopic_image;
+pub use decomposition::{decomposition_image, decomposition_image_of_zonotope, decomposition_images_of_zonotope};
+pub use polytopic::{polytopic_image, polytopic_image_with_noise};
 pub use set::GeneratorSet;

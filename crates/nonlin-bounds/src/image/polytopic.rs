@@ -7,7 +7,8 @@ use setrep::{MAX_FACES, Matrix, Part, SetError, VPolytope};
 use crate::expanded::Expanded;
 use crate::{BoundError, DynFunction, Expansion, Workspace};
 
-/// A side below this share of the image's extent is rounding, or as good as: it goes to the remainder and doubles no corner.
+/// A side below this share of the image's extent is rounding, or as good as: it goes to the remainder and doubles no corner. Corners that
+/// are no vertices up to this share are dropped.
 const THIN: f64 = 1e-12;
 
 /// A side below this share of its own magnitude is rounding.
@@ -20,7 +21,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// result has the extreme ones among them: at most `2^m` a vertex, and exactly the image where `f` is affine.
 ///
 /// Nonlinearity is paid for once a vertex and not once a set, so the enclosure follows a set that is far from a box or a
-/// parallelotope. Additive noise is a Minkowski sum afterwards; other noise is stacked with the states.
+/// parallelotope. Noises in a box join by [`polytopic_image_with_noise`]; others are stacked with the states.
 ///
 /// **Guarantee:** superset of the image, rounding included.
 /// **Source:** paper 004, Lemma 1 and Theorem 1 (there `r = 0`).
@@ -28,7 +29,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// # Errors
 /// [`BoundError::Dimension`], [`BoundError::NonFinite`]; [`BoundError::NotSmooth`] unless every output is proven `C1` on the hull;
 /// [`BoundError::UnboundedResult`]; [`SetError::ZeroDimension`] for a function without outputs, [`SetError::OverBudget`] beyond
-/// [`MAX_FACES`] corners or facets.
+/// [`MAX_FACES`] corners.
 pub fn polytopic_image(
     f: &dyn DynFunction,
     set: &VPolytope,
@@ -36,15 +37,52 @@ pub fn polytopic_image(
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<VPolytope, BoundError> {
-    let expanded = Expanded::over(f, set, at, p, &mut workspace.jet)?;
-    let m = expanded.outputs();
+    polytopic_image_with_noise(f, set, &[], at, p, workspace)
+}
+
+/// Image `{ f((x, w), p) : x in X, w in [w] }` of a polytope, `[w]` a box of noises that are the last variables of `f`.
+///
+/// As [`polytopic_image`] of `X x [w]`, without listing all its vertices: a noise that moves one output only widens that side of every box,
+/// which is the same set; only one that moves several doubles the vertices.
+///
+/// **Guarantee:** superset of the image, rounding included.
+/// **Source:** paper 004, Theorem 1, for the set `Z = X x W` of its equation (3).
+///
+/// # Errors
+/// As [`polytopic_image`].
+pub fn polytopic_image_with_noise(
+    f: &dyn DynFunction,
+    set: &VPolytope,
+    noise: &[Interval],
+    at: Expansion<'_>,
+    p: &[Interval],
+    workspace: &mut Workspace,
+) -> Result<VPolytope, BoundError> {
+    let expanded = Expanded::over_product(f, set, noise, at, p, &mut workspace.jet)?;
+    let (n, m) = (set.dim(), expanded.outputs());
     // A function without outputs has an image without coordinates, which no polytope is.
     if m == 0 {
         return Err(SetError::ZeroDimension { part: Part::Map }.into());
     }
-    let mut boxes = Vec::with_capacity(m * set.num_vertices());
-    for vertex in set.vertices().columns() {
-        boxes.extend((0..m).map(|i| expanded.reach(i, vertex)));
+    let moves = |k: usize| (0..m).filter(|&i| expanded.share(i, n + k, noise[k]) != Interval::ZERO).count();
+    let (mixing, single): (Vec<usize>, Vec<usize>) = (0..noise.len()).partition(|&k| moves(k) > 1);
+    let choices = 1_usize.checked_shl(mixing.len() as u32).unwrap_or(usize::MAX);
+    if choices.saturating_mul(set.num_vertices()) > MAX_FACES {
+        return Err(SetError::OverBudget { count: choices, limit: MAX_FACES }.into());
+    }
+    let mut boxes = Vec::with_capacity(m * choices * set.num_vertices());
+    for choice in 0..choices {
+        let end = |bit: usize, k: usize| if choice >> bit & 1 == 1 { noise[k].hi() } else { noise[k].lo() };
+        let moved = |i: usize| {
+            let own = single.iter().map(|&k| expanded.share(i, n + k, noise[k]));
+            let ends = mixing.iter().enumerate();
+            own.chain(ends.map(|(bit, &k)| expanded.share(i, n + k, Interval::point(end(bit, k)))))
+                .fold(Interval::ZERO, |sum, term| sum + term)
+        };
+        let shifts: Vec<Interval> = (0..m).map(moved).collect();
+        for vertex in set.vertices().columns() {
+            boxes.extend((0..m).map(|i| expanded.reach(i, vertex) + shifts[i]));
+        }
     }
     if let Some(k) = boxes.iter().position(|side| !side.is_bounded()) {
         return Err(BoundError::UnboundedResult { output: k % m });
@@ -54,7 +92,7 @@ pub fn polytopic_image(
     if let Some(output) = remainder.iter().position(|r| !r.is_finite()) {
         return Err(BoundError::UnboundedResult { output });
     }
-    Ok(VPolytope::with_remainder(corners(&boxes, m)?, &remainder)?.remove_redundant()?)
+    Ok(VPolytope::with_remainder(corners(&boxes, m)?, &remainder)?.thinned(THIN))
 }
 
 /// Replaces the sides that are thin by their midpoints, and returns the largest radii so lost, one an output.

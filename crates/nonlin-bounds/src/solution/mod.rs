@@ -8,8 +8,10 @@ mod affine;
 mod decomposition;
 mod polytopic;
 mod polytopic_lift;
+mod strip;
 
 pub use affine::{Rows, affine_solution};
 pub use decomposition::decomposition_solution;
-pub use polytopic::polytopic_solution;
+pub use polytopic::{PolytopicCut, polytopic_solution, polytopic_strips};
 pub use polytopic_lift::polytopic_solution_lift;
+pub use strip::OutputStrip;

@@ -1,24 +1,24 @@
 //! Solution sets in V-polytopes, cut vertex by vertex.
 
 use scalars::Interval;
-use scalars::rounding::add_up;
-use setrep::{HPolytope, Matrix, SetError, VPolytope};
+use scalars::rounding::{add_up, sub_down};
+use setrep::{HPolytope, VPolytope};
 
 use crate::expanded::Expanded;
 use crate::{BoundError, DynFunction, Expansion, Operand, Workspace};
 
-/// Where the widths of a row at the vertices differ by less than this share of its values, it is as good as affine.
+/// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
 const THIN: f64 = 1e-12;
 
 /// Solution set `{ x in X : g(x, p) in Y }` in a polytope `X = conv V + [-r, r]`, `Y = { y : A y <= b }`.
 ///
 /// For `x = sum_i l_i v_i + e` with `l` in the unit simplex, row `j` of `A g(x) <= b` implies
 /// `sum_i l_i low_ji <= b_j + |[J_j]| r`, `low_ji` the least value of `A_j g(x_0) + [J_j] (v_i - x_0)`, `[J]` the range of the Jacobian of `A g`
-/// over the interval hull of `X`. So a row leaves the points below which the hull of the points `(v_i, low_ji)` in `R^(n+1)` reaches
-/// down to the level, a polytope whose edges are found exactly. The rows are taken in turn; each is evaluated at the vertices
-/// that the ones before have left. A row affine in `x` is an intersection with a half-space.
+/// over the interval hull of `X`. So a row leaves the convex combinations whose values combine to at most the level
+/// ([`VPolytope::cut_by_values`]). The rows are taken in turn; each is evaluated at the vertices that the ones before have left. A row affine
+/// in `x` is an intersection with a half-space.
 ///
-/// A box `Y` is [`HPolytope::from_intervals`]; additive noise widens it. For other noise stack it with the states and project.
+/// A box `Y` is [`HPolytope::from_intervals`]; additive noise widens it. For boxes of noise see [`polytopic_strips`].
 /// Calling it again on the result, with the Jacobian over the smaller hull, tightens further.
 ///
 /// **Guarantee:** superset of the solution set, rounding included, and a subset of `X` but for rounding.
@@ -27,7 +27,7 @@ const THIN: f64 = 1e-12;
 ///
 /// # Errors
 /// [`BoundError::Dimension`], [`BoundError::NonFinite`]; [`BoundError::NotSmooth`] unless every output is proven `C1` on the hull;
-/// [`BoundError::UnboundedResult`]; [`SetError::EmptySet`], proven; [`SetError::OverBudget`].
+/// [`BoundError::UnboundedResult`]; [`SetError::EmptySet`](setrep::SetError::EmptySet), proven; [`SetError::OverBudget`](setrep::SetError::OverBudget).
 pub fn polytopic_solution(
     g: &dyn DynFunction,
     set: &VPolytope,
@@ -40,7 +40,11 @@ pub fn polytopic_solution(
     let mut solution = set.clone();
     for (j, &offset) in y.offsets().iter().enumerate() {
         let level = add_up(offset, rows.spread(j, solution.remainder()));
-        solution = cut(solution, &rows, j, level)?;
+        let values: Vec<f64> = solution.vertices().columns().map(|v| rows.reach(j, v).lo()).collect();
+        // A row without a lower bound at some vertex, or with a level beyond the floats, says nothing.
+        if level.is_finite() && values.iter().all(|value| value.is_finite()) {
+            solution = solution.cut_by_values(&values, level, THIN)?;
+        }
     }
     Ok(solution)
 }
@@ -58,48 +62,67 @@ pub(super) fn rows_over(
     Ok(Expanded::over(g, set, at, p, &mut workspace.jet)?.combined(y.normals()))
 }
 
-/// Cuts a set by row `j`, `sum_i l_i low_i <= level`, with `low_i` the least value of the row at vertex `i`.
-fn cut(set: VPolytope, rows: &Expanded, j: usize, level: f64) -> Result<VPolytope, SetError> {
-    let low: Vec<f64> = set.vertices().columns().map(|v| rows.reach(j, v).lo()).collect();
-    // A row without a lower bound at some vertex says nothing.
-    if low.contains(&f64::NEG_INFINITY) || low.iter().all(|&low| low <= level) {
-        return Ok(set);
-    }
-    if low.iter().all(|&low| low > level) {
-        return Err(SetError::EmptySet);
-    }
-    let hull = VPolytope::new(set.vertices().clone())?;
-    let slope = rows.middle(j);
-    let gap = |(v, &low): (&[f64], &f64)| {
-        let linear =
-            v.iter().zip(&slope).fold(Interval::point(-low), |sum, (&x, &a)| sum + Interval::point(x).scale(a));
-        linear.hi()
-    };
-    let gaps = || set.vertices().columns().zip(&low).map(gap);
-    let (widest, narrowest) = (gaps().fold(f64::NEG_INFINITY, f64::max), gaps().fold(f64::INFINITY, f64::min));
-    let extent =
-        low.iter().fold(f64::NEG_INFINITY, |m, &x| m.max(x)) - low.iter().fold(f64::INFINITY, |m, &x| m.min(x));
-    let kept = if widest - narrowest <= THIN * extent {
-        // a'v_i <= low_i + widest for all i, so the weights that are left fulfil a'x <= level + widest.
-        hull.intersection(&HPolytope::new(Matrix::from_rows(&[&slope])?, &[add_up(level, widest)])?)?
-    } else {
-        below(&hull, &low, level)?
-    };
-    let remainder: Vec<f64> = set.remainder().iter().zip(kept.remainder()).map(|(&r, &lost)| add_up(r, lost)).collect();
-    VPolytope::with_remainder(kept.vertices().clone(), &remainder)?.remove_redundant()
+/// What [`polytopic_strips`] has left of a polytope.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use]
+pub enum PolytopicCut {
+    /// A superset of the solutions.
+    Left(VPolytope),
+    /// There is none: on what the outputs before have left this one lies in a range that the required one does not meet.
+    ProvenEmpty {
+        /// Index of the output.
+        output: usize,
+        /// Its range, noise included.
+        reach: Interval,
+    },
 }
 
-/// `{ sum_i l_i v_i : sum_i l_i low_i <= level }`: the hull of the points `(v_i, low_i)` up to the level, seen from above.
-fn below(hull: &VPolytope, low: &[f64], level: f64) -> Result<VPolytope, SetError> {
-    let n = hull.dim();
-    let mut lifted = Matrix::zeros(n + 1, 0);
-    for (v, &low) in hull.vertices().columns().zip(low) {
-        lifted.push_col(&[v, &[low]].concat())?;
+/// Solution set `{ x in X : g((x, v), p) in [y] for some v in [v] }` in a polytope, `[y]` a box whose sides may be unbounded and `[v]` a box of
+/// noises that are the last variables of `g`.
+///
+/// As [`polytopic_solution`] with the noises in the lower bounds at the vertices; each output is a row from above and one from below.
+/// Every solution has its own noise, so the result is the paper's for additive noise, `[y] - [v]` its `Y`.
+///
+/// **Guarantee:** superset of the solution set, rounding included, and a subset of `X` but for rounding.
+/// **Source:** paper 004, Theorem 2; see [`polytopic_solution`].
+///
+/// # Errors
+/// As [`polytopic_solution`], but an empty set is a valid answer; [`BoundError::EmptyInterval`] for a side of `[y]`.
+pub fn polytopic_strips(
+    g: &dyn DynFunction,
+    (set, noise): (&VPolytope, &[Interval]),
+    y: &[Interval],
+    at: Expansion<'_>,
+    p: &[Interval],
+    workspace: &mut Workspace,
+) -> Result<PolytopicCut, BoundError> {
+    BoundError::check_size(Operand::Outputs, g.outputs(), y.len())?;
+    if let Some(index) = y.iter().position(Interval::is_empty) {
+        return Err(BoundError::EmptyInterval { operand: Operand::Outputs, index });
     }
-    let mut up = Matrix::zeros(1, n + 1);
-    up[(0, n)] = 1.0;
-    let left = VPolytope::new(lifted)?.intersection(&HPolytope::new(up, &[level])?)?;
-    let mut vertices = Matrix::zeros(n, 0);
-    left.vertices().columns().try_for_each(|v| vertices.push_col(&v[..n]))?;
-    VPolytope::with_remainder(vertices, &left.remainder()[..n])
+    let n = set.dim();
+    let rows = Expanded::over_product(g, set, noise, at, p, &mut workspace.jet)?;
+    let mut solution = set.clone();
+    for (output, required) in y.iter().enumerate().filter(|(_, required)| **required != Interval::ENTIRE) {
+        let noises = noise.iter().enumerate().fold(Interval::ZERO, |sum, (k, &v)| sum + rows.share(output, n + k, v));
+        for from_above in [true, false] {
+            let bound = if from_above { required.hi() } else { -required.lo() };
+            if !bound.is_finite() {
+                continue;
+            }
+            let spread = rows.spread(output, solution.remainder());
+            let reaches = || solution.vertices().columns().map(|v| rows.reach(output, v) + noises);
+            let low = |reach: Interval| if from_above { reach.lo() } else { -reach.hi() };
+            let values: Vec<f64> = reaches().map(|reach| sub_down(low(reach), spread)).collect();
+            if !values.iter().all(|value| value.is_finite()) {
+                continue;
+            }
+            if values.iter().all(|&value| value > bound) {
+                let reach = reaches().reduce(Interval::hull).unwrap_or(Interval::ENTIRE).inflate(spread);
+                return Ok(PolytopicCut::ProvenEmpty { output, reach });
+            }
+            solution = solution.cut_by_values(&values, bound, THIN)?;
+        }
+    }
+    Ok(PolytopicCut::Left(solution))
 }

@@ -1,8 +1,8 @@
 //! Bad input: typed errors, and arguments as they were.
 
 use nonlin_bounds::{
-    AffineEnclosure, BoundError, Copies, Domain, Expansion, Form, Function, Operand, QuadraticEnclosure, Rows,
-    Smoothness, Workspace, affine_image, affine_solution,
+    AffineEnclosure, BoundError, Copies, Domain, Expansion, Form, Function, Operand, OutputStrip, QuadraticEnclosure,
+    Rows, Smoothness, Workspace, affine_image, affine_solution,
 };
 use scalars::{Interval, Scalar};
 use setrep::{ConstrainedZonotope, Matrix, SetError};
@@ -158,4 +158,62 @@ fn empty_sets_have_no_image() {
     assert_eq!(image.unwrap_err(), SetError::EmptySet.into());
     let solution = affine_solution(Form::Taylor, &Steep, &empty, &[Interval::ONE], Expansion::HullCenter, &[], &mut w);
     assert_eq!(solution.unwrap_err(), SetError::EmptySet.into());
+}
+
+/// Strips of outputs: what does not fit is refused, a gradient without bounds gives no direction, an output without values no strip.
+#[test]
+fn strips_of_outputs() {
+    let mut w = Workspace::new();
+    let mut strip = OutputStrip::new();
+    let hull = [Interval::new(-1.0, 1.0).unwrap()];
+    strip.enclose(&Rough, 0, &hull, 1, &[], Interval::ONE, &mut w).unwrap();
+    assert_eq!(strip.predicted(), Interval::new(0.0, 1.0).unwrap());
+    let before = strip.clone();
+    let mut refused = |i, hull: &[Interval], states, p: &[Interval], value| {
+        let error = strip.enclose(&Rough, i, hull, states, p, value, &mut Workspace::new()).unwrap_err();
+        assert_eq!(strip, before);
+        error
+    };
+    assert!(matches!(
+        refused(5, &hull, 1, &[], Interval::ONE),
+        BoundError::Dimension { operand: Operand::Outputs, .. }
+    ));
+    assert!(matches!(refused(0, &[], 1, &[], Interval::ONE), BoundError::Dimension { operand: Operand::Hull, .. }));
+    assert!(matches!(
+        refused(0, &[Interval::ENTIRE], 1, &[], Interval::ONE),
+        BoundError::NonFinite { operand: Operand::Hull, .. }
+    ));
+    assert!(matches!(
+        refused(0, &hull, 2, &[], Interval::ONE),
+        BoundError::Dimension { operand: Operand::Variables, .. }
+    ));
+    assert!(matches!(
+        refused(0, &hull, 1, &hull, Interval::ONE),
+        BoundError::Dimension { operand: Operand::Parameters, .. }
+    ));
+    assert!(matches!(
+        refused(1, &hull, 1, &[], Interval::EMPTY),
+        BoundError::EmptyInterval { operand: Operand::Outputs, index: 1 }
+    ));
+    assert_eq!(refused(4, &hull, 1, &[], Interval::ONE), SetError::EmptySet.into());
+    // A pole: no direction, no bound.
+    strip.enclose(&Rough, 2, &hull, 1, &[], Interval::ONE, &mut w).unwrap();
+    assert_eq!((strip.direction(), strip.range()), (&[0.0][..], Interval::ENTIRE));
+}
+
+/// An output without values refutes what was seen of it, and says nothing where nothing was seen.
+#[test]
+fn rows_of_outputs_without_values() {
+    let (mut w, mut enclosure, mut rows) = (Workspace::new(), AffineEnclosure::new(), Rows::new());
+    let hull = [Interval::new(1.0, 2.0).unwrap()];
+    enclosure.enclose_where_possible(&Rough, &Domain::new(&hull, &[1.5]), &mut w).unwrap();
+    let mut values = [Interval::ENTIRE; 5];
+    enclosure.rows_into(1, &values, &mut rows).unwrap();
+    assert!(rows.ranges().is_empty());
+    values[3] = Interval::ONE;
+    enclosure.rows_into(1, &values, &mut rows).unwrap();
+    assert_eq!(rows.outputs(), [3]);
+    values[4] = Interval::ONE;
+    assert_eq!(enclosure.rows_into(1, &values, &mut rows), Err(SetError::EmptySet.into()));
+    assert_eq!(rows.outputs(), [3]);
 }

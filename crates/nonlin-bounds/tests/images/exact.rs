@@ -1,6 +1,6 @@
 //! Polynomials on random sets in exact arithmetic: affine enclosures, images and solution sets of every form.
 
-use nonlin_bounds::{AffineEnclosure, Domain, DynFunction, Form, Workspace};
+use nonlin_bounds::{AffineEnclosure, Domain, DynFunction, Form, OutputStrip, Workspace};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
@@ -113,6 +113,36 @@ fn solution_sets_contain_exact_solutions() {
         }
     }
     assert!(triples >= 30_000);
+}
+
+/// The strip of an output, its parts evaluated apart, holds every member whose value lies in `Y`; the range of the output its value.
+#[test]
+fn strips_of_outputs_contain_exact_solutions() {
+    let (mut w, mut strip, mut checks) = (Workspace::new(), OutputStrip::new(), 0);
+    let lies_in = |x: &Dyadic, range: Interval| {
+        (range.lo() == f64::NEG_INFINITY || *x >= Dyadic::from(range.lo()))
+            && (range.hi() == f64::INFINITY || *x <= Dyadic::from(range.hi()))
+    };
+    for case in 0..cases(1_300) {
+        let Case { f, members, hull, noises, .. } = draw(case, SEED + 4, &mut w);
+        let mut random = Random::new(SEED + 5, case);
+        let states = hull.len() - noises.min(hull.len() - 1);
+        for member in &members {
+            let y = values(&f, &member.x);
+            for (i, side) in sides(&mut random, &y).into_iter().enumerate() {
+                strip.enclose(&f, i, &hull, states, &[], side, &mut w).unwrap();
+                let along = strip
+                    .direction()
+                    .iter()
+                    .zip(&member.x)
+                    .fold(Dyadic::zero(), |sum, (&a, x)| &sum + &(&Dyadic::from(a) * x));
+                assert!(lies_in(&along, strip.range()), "seed {SEED}+4 case {case}: {f:?} {strip:?} {hull:?}");
+                assert!(lies_in(&y[i], strip.predicted()), "seed {SEED}+4 case {case}: {f:?} {strip:?} {hull:?}");
+                checks += 1;
+            }
+        }
+    }
+    assert!(checks >= 5_000, "{checks}");
 }
 
 /// The rows bind: a value outside the range of the enclosure proves that there is no solution.

@@ -17,7 +17,7 @@ pub fn figure_1(
     images: &[Vec<Interval>],
     workspace: &mut Workspace,
 ) -> Result<Figure, ScenarioError> {
-    let triangle = outline::outline(figure_1::source()?.support(), workspace)?;
+    let triangle = outline::outline(figure_1::source()?.region(), workspace)?;
     let hull = outline::outline(&setrep::IntervalVector::new(figure_1::hull().to_vec()), workspace)?;
     let left = Panel::new("(a) the set", "x1", "x2")
         .with(Series::outline("interval hull", Look::REFERENCE.dashed(1), pairs(&hull)))

@@ -24,7 +24,7 @@ pub fn verdict(cross: Cross, workspace: &mut Workspace) -> Result<Membership, Sc
     let hull = [Interval::ZERO.inflate(1.0); 2];
     let gamma = DVector::from_column_slice(&GAMMA);
     let left = enclosure_of(consistent(&UnitProduct, &set, &hull, &gamma, cross)?)?;
-    Ok(left.membership(&IntervalVector::point(&STATE), workspace)?)
+    Ok(left.region().membership(&IntervalVector::point(&STATE), workspace)?)
 }
 
 /// One row for each form of the cross term: 1 if the state is kept, 0 if it is proven to be lost.

@@ -3,9 +3,10 @@
 use scalars::Interval;
 use setrep::{SetError, Workspace};
 
-use super::enclosure::{Containment, Enclosure};
+use super::enclosure::Enclosure;
 use super::outline::{area, outline};
 use crate::published::CgRep;
+use crate::region::Containment;
 use crate::{Mode, Row, ScenarioError};
 
 /// A named enclosure in the plane.
@@ -42,8 +43,8 @@ impl Measured {
     /// # Errors
     /// Those of the set operations.
     pub fn of(shape: Shape, points: &[Vec<Interval>], workspace: &mut Workspace) -> Result<Self, ScenarioError> {
-        let outline = outline(shape.set.support(), workspace)?;
-        let containment = Containment::of(&shape.set, points, workspace)?;
+        let outline = outline(shape.set.region(), workspace)?;
+        let containment = Containment::of(shape.set.region(), points, workspace)?;
         Ok(Self { area: area(&outline), outline, containment, shape })
     }
 

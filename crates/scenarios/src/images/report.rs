@@ -101,8 +101,8 @@ fn areas(sets: &[Measured]) -> Table {
             shape.mode.map_or("", crate::Mode::name).to_owned(),
             significant(set.area, 6),
             shape.reference.map_or_else(|| "-".to_owned(), |area| significant(area, 6)),
-            shape.set.columns().to_string(),
-            shape.set.constraints().to_string(),
+            shape.set.region().columns().to_string(),
+            shape.set.region().constraints().to_string(),
             share(|shares| shares.0),
             share(|shares| shares.1),
         ])

@@ -7,11 +7,12 @@ use rand::{Rng, RngExt};
 use scalars::Interval;
 use setrep::{IntervalVector, Matrix};
 
-use super::enclosure::{Containment, Enclosure};
+use super::enclosure::Enclosure;
 use super::families::Family;
 use super::methods::{Method, method_name};
 use super::sets::{Form, Sets};
 use super::yardstick::Yardstick;
+use crate::region::Containment;
 use crate::{Context, Mode, Row, ScenarioError, monte_carlo};
 
 /// Sizes of the sets, in the scale of their family.
@@ -183,15 +184,15 @@ fn study(task: Task, family: Family, size: f64, rng: &mut impl Rng) -> Result<Ve
                 Task::Images => method.image(f, &case.sets, form, workspace)?,
                 Task::Solutions => method.solution(f, &case.sets, form, &values, workspace)?,
             };
-            let (width_ratio, area_ratio) = yardstick.compare(set.support(), &mut workspace.sets)?;
-            let containment = Containment::of(&set, &watched, &mut workspace.sets)?;
+            let (width_ratio, area_ratio) = yardstick.compare(set.region(), &mut workspace.sets)?;
+            let containment = Containment::of(set.region(), &watched, &mut workspace.sets)?;
             outcomes.push(Outcome {
                 method,
                 form,
                 width_ratio,
                 area_ratio,
-                generators_added: set.columns() as f64 - before.columns() as f64,
-                constraints_added: set.constraints() as f64 - before.constraints() as f64,
+                generators_added: set.region().columns() as f64 - before.region().columns() as f64,
+                constraints_added: set.region().constraints() as f64 - before.region().constraints() as f64,
                 containment,
             });
         }

@@ -207,7 +207,9 @@ pub fn contenders() -> Result<Vec<Contender>, ScenarioError> {
         ("inzsmf/pole-world-box", Settings { frame: BoxFrame::World, ..inzsmf_pole }),
     ];
     let contender = |(method, settings): (&str, Settings)| {
-        Contender::new(method, Mode::Published, move |initial| Ok(PublishedFilter::new(settings, initial, [1.0; 3])))
+        Contender::new(method, Mode::Published, move |initial| {
+            Ok(Box::new(PublishedFilter::new(settings, initial, [1.0; 3])))
+        })
     };
     Ok(all.map(contender).into())
 }

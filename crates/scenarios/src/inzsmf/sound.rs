@@ -66,9 +66,11 @@ impl Variant {
             |filter: &str| if self.name.is_empty() { filter.to_owned() } else { format!("{filter}/{}", self.name) };
         let (of_zsmf, of_inzsmf) = (self.clone(), self.clone());
         [
-            Contender::new(method("zsmf"), Mode::Sound, move |initial| SoundZsmf::new(&of_zsmf, initial, [1.0; 3])),
+            Contender::new(method("zsmf"), Mode::Sound, move |initial| {
+                Ok(Box::new(SoundZsmf::new(&of_zsmf, initial, [1.0; 3])?))
+            }),
             Contender::new(method("inzsmf"), Mode::Sound, move |initial| {
-                SoundInZsmf::new(&of_inzsmf, initial, [1.0; 3])
+                Ok(Box::new(SoundInZsmf::new(&of_inzsmf, initial, [1.0; 3])?))
             }),
         ]
     }

@@ -15,43 +15,8 @@ const STREAMS: &str = "inzsmf";
 /// Repetitions of a timed run.
 const TIMING_REPETITIONS: usize = 5;
 
-/// Builds a filter at an initial estimate.
-type Build = Box<dyn Fn(Pose) -> Result<Box<dyn Tracker>, ScenarioError> + Sync>;
-
-/// A filter with its settings, ready to be started anywhere.
-pub struct Contender {
-    /// Name in the rows: the filter, `/`, the variant.
-    pub method: String,
-    /// How the paper's algorithm is run.
-    pub mode: Mode,
-    build: Build,
-}
-
-impl std::fmt::Debug for Contender {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Contender").field("method", &self.method).field("mode", &self.mode).finish_non_exhaustive()
-    }
-}
-
-impl Contender {
-    /// A filter under a name.
-    pub fn new<T, F>(method: impl Into<String>, mode: Mode, build: F) -> Self
-    where
-        T: Tracker + 'static,
-        F: Fn(Pose) -> Result<T, ScenarioError> + Sync + 'static,
-    {
-        let build: Build = Box::new(move |initial| Ok(Box::new(build(initial)?)));
-        Self { method: method.into(), mode, build }
-    }
-
-    /// The filter at an initial estimate.
-    ///
-    /// # Errors
-    /// Those of the filter's constructor.
-    pub fn start(&self, initial: Pose) -> Result<Box<dyn Tracker>, ScenarioError> {
-        (self.build)(initial)
-    }
-}
+/// A filter with its settings, ready to be started at an initial estimate.
+pub type Contender = crate::contender::Contender<Pose, dyn Tracker>;
 
 /// The metrics of all runs of one filter from one initial estimate.
 #[derive(Clone, Debug, PartialEq)]

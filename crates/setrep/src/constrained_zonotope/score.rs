@@ -11,6 +11,7 @@
 
 use super::ConstrainedZonotope;
 use crate::Workspace;
+use crate::cholesky::{factorise, solve};
 
 /// Weight of the change of coordinates, in units of the hull.
 const WEIGHT: f64 = 0.1;
@@ -115,38 +116,5 @@ impl ConstrainedZonotope {
             hi = hi.min(implied.hi());
         }
         Some(((hi - 1.0).max(-1.0 - lo).max(0.0), row))
-    }
-}
-
-/// Cholesky factor of a symmetric positive definite matrix, in its lower triangle (column-major); a pivot that is not positive makes
-/// the results NaN or large, which only spoils the choice.
-pub(super) fn factorise(a: &mut [f64], n: usize) {
-    for k in 0..n {
-        let pivot = a[k * n + k].sqrt();
-        for i in k..n {
-            a[k * n + i] /= pivot;
-        }
-        for j in k + 1..n {
-            let scale = a[k * n + j];
-            for i in j..n {
-                a[j * n + i] -= scale * a[k * n + i];
-            }
-        }
-    }
-}
-
-/// Solves `L L' x = b` in place.
-pub(super) fn solve(factor: &[f64], n: usize, x: &mut [f64]) {
-    for k in 0..n {
-        x[k] /= factor[k * n + k];
-        for i in k + 1..n {
-            x[i] -= factor[k * n + i] * x[k];
-        }
-    }
-    for k in (0..n).rev() {
-        for i in k + 1..n {
-            x[k] -= factor[k * n + i] * x[i];
-        }
-        x[k] /= factor[k * n + k];
     }
 }

@@ -11,6 +11,7 @@ pub(crate) mod membership;
 mod minkowski_sum;
 mod planar;
 mod size;
+pub(crate) mod strip;
 mod support;
 pub(crate) mod volume;
 mod witness;

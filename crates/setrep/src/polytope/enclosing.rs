@@ -174,7 +174,7 @@ impl Greedy {
 
 /// Directions that suit a set: both signs of its principal axes, and of the sums and differences of two axes, in units of the widths
 /// along them.
-fn template(set: &dyn SupportFunction, workspace: &mut Workspace) -> Result<Matrix, SetError> {
+pub(super) fn template(set: &dyn SupportFunction, workspace: &mut Workspace) -> Result<Matrix, SetError> {
     let n = set.dim();
     let hull = set.interval_hull(workspace)?;
     let widths: Vec<f64> = hull.iter().map(Interval::width).collect();

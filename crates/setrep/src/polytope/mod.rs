@@ -18,6 +18,10 @@
 //!    half-space contains the set, whatever rounding did to the normal.
 //! 4. *V cut by half-spaces* ([`VPolytope::intersection`]): the same method goes on from the vertices of `conv V` and its exact facets.
 //!
+//! Sets that are computed step by step need no exact combinatorics, only a superset that stays small: [`VPolytope::cut_by_values`] and
+//! [`VPolytope::thinned`] work on points alone, in floating point, and pay for what they leave out in the remainder, with a proof by convex
+//! combinations; [`VPolytope::absorb_remainder`] takes it into the hull, [`VPolytope::enclosed_within`] bounds the number of vertices.
+//!
 //! What needs no vertices goes through linear programs instead, one for each question, certified by weak duality and made for a
 //! thousand rows: supports ([`HPolytope::optimizer`]), [`HPolytope::bounding_box`], [`HPolytope::chebyshev_ball`],
 //! [`HPolytope::drop_redundant`], [`HPolytope::enclosing`].
@@ -29,6 +33,9 @@
 //! hull with half-spaces, [`VPolytope::intersection`] avoids the second. The limits on the number of faces ([`MAX_FACES`], the
 //! `_within` methods) refuse what grows too large.
 
+mod absorb;
+mod around;
+mod bounded;
 mod bounding_box;
 mod chebyshev;
 mod clip;
@@ -44,15 +51,19 @@ mod incidence;
 mod membership;
 mod optimizer;
 mod planar;
+mod product;
 mod rays;
 mod redundancy;
 mod rows;
 mod solve;
 mod table;
+mod thin;
 mod v_polytope;
 mod vertices;
 mod volume;
 mod waiting;
+mod walk;
+mod weighted_cut;
 
 pub use chebyshev::ChebyshevBall;
 pub use feasibility::Feasibility;

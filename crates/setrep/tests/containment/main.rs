@@ -16,6 +16,7 @@ mod linear_map;
 mod membership;
 mod minkowski_sum;
 mod reduction;
+mod strips;
 mod volume;
 
 /// Seed of all batteries; printed with every failing case.

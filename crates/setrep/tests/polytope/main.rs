@@ -13,6 +13,7 @@ mod containment;
 mod conversions;
 mod degenerate;
 mod enclosing;
+mod fewer;
 mod fixtures;
 mod known_polytopes;
 mod membership;

@@ -8,8 +8,10 @@ mod common;
 
 mod allocations;
 mod bad_input;
+mod candidate_volumes;
 mod known_sets;
 mod membership;
 mod reduction_size;
 #[cfg(feature = "serde")]
 mod storage;
+mod strips;

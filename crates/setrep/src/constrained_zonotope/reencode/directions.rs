@@ -1,6 +1,6 @@
 //! Directions in which a set is kept tight from one re-encoding to the next.
 
-use crate::constrained_zonotope::score::{factorise, solve};
+use crate::cholesky::{factorise, solve};
 use crate::{ConstrainedZonotope, Matrix, Part, SetError, Workspace};
 
 /// Weight that keeps singular maps invertible, beside rows of length 1.

@@ -3,11 +3,11 @@
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Emptiness, Workspace};
 
-use super::state::RczState;
+use super::FilterState;
 use crate::{Culprit, EstimatorError, Evidence, Inconsistency};
 
 /// A set whose own hull has no point in common with the box that the state is `held` in.
-pub(super) fn of_hull(
+pub(crate) fn of_hull(
     step: u64,
     set: &ConstrainedZonotope,
     (own, held): (&[Interval], &[Interval]),
@@ -27,8 +27,8 @@ pub(super) fn of_hull(
 
 /// A box of states over which propagation found a conflict between `culprits`. The rows over that box often show it as well, with
 /// multipliers.
-pub(super) fn of_propagation(
-    state: &RczState,
+pub(crate) fn of_propagation<M>(
+    state: &FilterState<ConstrainedZonotope, M>,
     set: &ConstrainedZonotope,
     culprits: Vec<Culprit>,
     rows: &[Culprit],
@@ -56,7 +56,7 @@ fn by_rows(
 }
 
 /// The error, with each culprit once; the prediction always is one: its coordinates are bounded in every proof.
-fn inconsistent(step: u64, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
+pub(crate) fn inconsistent(step: u64, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
     culprits.push(Culprit::Prediction);
     culprits.sort_unstable();
     culprits.dedup();

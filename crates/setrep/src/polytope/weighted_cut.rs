@@ -1,0 +1,68 @@
+//! Convex combinations of which a second quantity is bounded.
+
+use scalars::Interval;
+
+use super::VPolytope;
+use crate::bounds::add_lengths;
+use crate::{Matrix, Part, SetError};
+
+/// Pairs of columns on both sides of a cut before it is refused.
+const MAX_PAIRS: usize = 200_000;
+
+impl VPolytope {
+    /// The combinations of the columns whose values combine to at most a level, `{ sum_i l_i v_i + e : l >= 0, sum_i l_i = 1,
+    /// sum_i l_i a_i <= b, |e| <= r }`, shape `a: m`.
+    ///
+    /// With `a_i = d'v_i` it is the intersection with a half-space; with values of a function that is not linear its consequence for the
+    /// hull. The simplex of the weights is cut along its edges: columns with `a_i <= b` stay, and each of them has a point on the
+    /// segment to each of the others, of which [`thinned`](Self::thinned) with `share` keeps those that matter. No facets are needed.
+    ///
+    /// **Guarantee:** superset; exact for `share = 0` but for the remainder. A set without columns left is proven empty.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`], [`SetError::NonFinite`] for the values (`-inf` says nothing and is allowed) and the level;
+    /// [`SetError::EmptySet`], proven; [`SetError::OverBudget`] beyond 200,000 segments.
+    pub fn cut_by_values(&self, values: &[f64], level: f64, share: f64) -> Result<Self, SetError> {
+        SetError::check_size(Part::Offsets, self.num_vertices(), values.len())?;
+        SetError::check_finite(Part::Offsets, 1, &[level])?;
+        if let Some(index) = values.iter().position(|a| a.is_nan() || *a == f64::INFINITY) {
+            SetError::check_finite(Part::Offsets, values.len(), &values[index..=index])?;
+        }
+        let (kept, cut): (Vec<usize>, Vec<usize>) = (0..values.len()).partition(|&i| values[i] <= level);
+        if cut.is_empty() || values.contains(&f64::NEG_INFINITY) {
+            return Ok(self.clone());
+        }
+        if kept.is_empty() {
+            return Err(SetError::EmptySet);
+        }
+        let pairs = kept.len().saturating_mul(cut.len());
+        if pairs > MAX_PAIRS {
+            return Err(SetError::OverBudget { count: pairs, limit: MAX_PAIRS });
+        }
+        let n = self.dim();
+        let mut vertices = Matrix::zeros(n, 0);
+        vertices.reserve_cols(kept.len() + pairs);
+        let mut lost = vec![0.0_f64; n];
+        let mut column = vec![0.0; n];
+        kept.iter().for_each(|&i| vertices.append_columns(self.vertices.col(i)));
+        let unit = Interval::ZERO.hull(Interval::ONE);
+        for &i in kept.iter().filter(|&&i| values[i] < level) {
+            let from = self.vertices.col(i);
+            let gap = Interval::point(level) - Interval::point(values[i]);
+            for &j in &cut {
+                let way = (gap / (Interval::point(values[j]) - Interval::point(values[i]))).intersection(unit);
+                for (k, (&x, &y)) in from.iter().zip(self.vertices.col(j)).enumerate() {
+                    let at = Interval::point(x) + way * (Interval::point(y) - Interval::point(x));
+                    column[k] = at.mid();
+                    lost[k] = lost[k].max(at.rad());
+                }
+                vertices.append_columns(&column);
+            }
+        }
+        if let Some(row) = (0..n).find(|&k| !lost[k].is_finite()) {
+            return Err(SetError::Overflow { row });
+        }
+        let remainder: Vec<f64> = self.remainder.iter().zip(&lost).map(|(&r, &lost)| add_lengths(r, lost)).collect();
+        Ok(Self::with_remainder(vertices, &remainder)?.thinned(share))
+    }
+}
