@@ -137,10 +137,7 @@ impl Compensated {
             return (self.sum, self.sum);
         }
         let error = self.error();
-        (
-            add_down(add_down(self.sum, self.correction), -error),
-            add_up(add_up(self.sum, self.correction), error),
-        )
+        (add_down(add_down(self.sum, self.correction), -error), add_up(add_up(self.sum, self.correction), error))
     }
 
     /// Bound of the error of `sum + correction`.

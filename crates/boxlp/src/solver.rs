@@ -277,7 +277,10 @@ impl Solver {
                 self.empty = true;
                 return Answer::EMPTY;
             }
-            let suspect = workspace.forgave || engine.tableau.worst(rounding).is_some() || engine.tableau.delicate || self.unchecked >= CHECK_EVERY;
+            let suspect = workspace.forgave
+                || engine.tableau.worst(rounding).is_some()
+                || engine.tableau.delicate
+                || self.unchecked >= CHECK_EVERY;
             let sound = ending == Ending::Optimal && answer.is_within(GAP * norm) && {
                 !suspect || {
                     self.unchecked = 0;

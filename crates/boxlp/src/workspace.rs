@@ -39,8 +39,7 @@ pub(crate) struct Answer {
 
 impl Answer {
     /// That of an empty set.
-    pub(crate) const EMPTY: Self =
-        Self { status: Status::Empty, value: f64::NEG_INFINITY, bound: f64::NEG_INFINITY };
+    pub(crate) const EMPTY: Self = Self { status: Status::Empty, value: f64::NEG_INFINITY, bound: f64::NEG_INFINITY };
 
     /// Whether the bound is close to the value.
     pub(crate) fn is_within(&self, gap: f64) -> bool {
