@@ -117,7 +117,7 @@ impl Solver {
 
     /// Limits the exchanges of one solve, at which it ends as [`Status::Stopped`] with a looser bound.
     ///
-    /// `None` is the default: a solve ends by itself, after at most about `18 (n + m + 10)` exchanges, of which it needs few.
+    /// `None` is the default: a solve ends by itself, after at most about `36 (n + m + 10)` exchanges, of which it needs few.
     pub fn set_pivot_limit(&mut self, limit: Option<usize>) {
         self.pivot_limit = limit;
     }
@@ -259,9 +259,28 @@ impl Solver {
 
     /// Status, value and bound; the rest is in the workspace.
     ///
+    /// Where all attempts leave doubt the set may be empty in a way that this objective does not show: that is asked then.
+    fn solve(&mut self, objective: &[f64], norm: f64) -> Answer {
+        let answer = self.settle(objective, norm);
+        let doubt = answer.status == Status::Stopped && self.pivot_limit.is_none() && norm > 0.0;
+        if doubt && self.is_contradictory() { Answer::EMPTY } else { answer }
+    }
+
+    /// Looks for a contradiction from the logical basis; leaves point and multipliers as they were.
+    fn is_contradictory(&mut self) -> bool {
+        let kept = (self.workspace.multipliers.clone(), self.workspace.point.clone());
+        self.engine.build(&self.problem);
+        self.imprecise = true;
+        let zeros = core::mem::take(&mut self.workspace.zeros);
+        self.settle(&zeros, 0.0);
+        self.workspace.zeros = zeros;
+        (self.workspace.multipliers, self.workspace.point) = kept;
+        self.empty
+    }
+
     /// Three attempts: from the last basis; from the same basis rebuilt from the data, if the first left doubt; and with twice
     /// the digits, if the rows are so nearly dependent that these are needed.
-    fn solve(&mut self, objective: &[f64], norm: f64) -> Answer {
+    fn settle(&mut self, objective: &[f64], norm: f64) -> Answer {
         if self.empty {
             return Answer::EMPTY;
         }

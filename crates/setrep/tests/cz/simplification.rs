@@ -27,7 +27,7 @@ fn simplifications_keep_the_set() {
         assert_not_refuted(&simple, &member.x, &mut random, &mut workspace, &context);
         rows_dropped += rows - simple.num_constraints();
         columns_dropped += m - simple.num_generators();
-        let before = loosened(&set, 1e-13).interval_hull(&mut workspace).unwrap();
+        let before = loosened(&set, 1e-12).interval_hull(&mut workspace).unwrap();
         let after = simple.interval_hull(&mut workspace).unwrap();
         for (k, (before, after)) in before.iter().zip(after.iter()).enumerate() {
             let extent: f64 = set.generators().columns().map(|g| g[k].abs()).sum::<f64>() + set.center()[k].abs();
