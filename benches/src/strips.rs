@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use nalgebra::SMatrix;
+use nalgebra::{DMatrix, Matrix2, Matrix3, Matrix4, Matrix5};
 use setrep::{Matrix, Workspace, Zonotope};
 
 use crate::draw::Draw;
@@ -61,11 +61,21 @@ fn minor_sum<const N: usize>(columns: &[[f64; N]]) -> f64 {
     let mut subset: [usize; N] = core::array::from_fn(|i| i);
     let mut sum = 0.0;
     loop {
-        sum += SMatrix::<f64, N, N>::from_fn(|i, k| columns[subset[k]][i]).determinant().abs();
+        sum += determinant(N, |i, k| columns[subset[k]][i]).abs();
         let Some(last) = (0..N).rev().find(|&i| subset[i] < columns.len() - N + i) else { return sum };
         subset[last] += 1;
         for i in last + 1..N {
             subset[i] = subset[i - 1] + 1;
         }
+    }
+}
+
+fn determinant(n: usize, entry: impl Fn(usize, usize) -> f64) -> f64 {
+    match n {
+        2 => Matrix2::from_fn(entry).determinant(),
+        3 => Matrix3::from_fn(entry).determinant(),
+        4 => Matrix4::from_fn(entry).determinant(),
+        5 => Matrix5::from_fn(entry).determinant(),
+        _ => DMatrix::from_fn(n, n, entry).determinant(),
     }
 }
