@@ -13,6 +13,7 @@ pub mod growth;
 pub mod hulls;
 pub mod intervals;
 pub mod lp_peers;
+pub mod polytopes;
 pub mod sets;
 pub mod timing;
 
@@ -33,5 +34,6 @@ pub fn all() -> Vec<Bench> {
     benches.extend(constrained::benches());
     benches.extend(contract::benches());
     benches.extend(filters::benches());
+    benches.extend(polytopes::benches());
     benches
 }

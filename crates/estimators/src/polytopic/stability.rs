@@ -60,7 +60,7 @@ impl Stability {
 ///
 /// **Assumes** that both bounds hold on a region that contains every set of the filter, that noises and their Jacobians are bounded there,
 /// and that every output is measured at every step, additive noise included. Sets without a limit on their vertices; tighter updates
-/// (several passes, ranges) only make the widths less.
+/// (several passes, ranges) only make the widths less. The rounding of the filter, some ulp a step, is left out.
 ///
 /// **Guarantee:** `radius < 1` proves that the widths stay bounded. The bound is a Collatz-Wielandt quotient `max_i (L x)_i / x_i`, which is one
 /// for every positive `x`.
