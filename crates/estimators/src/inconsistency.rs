@@ -14,6 +14,8 @@ pub enum Culprit {
     Measurement(usize),
     /// An entry of the invariant.
     Invariant(usize),
+    /// One of the strips that a filter was told contain every state.
+    Feasible(usize),
     /// The set before the update: the model, its noise bounds and all that was measured before.
     Prediction,
 }
@@ -23,6 +25,7 @@ impl fmt::Display for Culprit {
         match self {
             Self::Measurement(index) => write!(f, "measurement {index}"),
             Self::Invariant(index) => write!(f, "invariant {index}"),
+            Self::Feasible(index) => write!(f, "feasible strip {index}"),
             Self::Prediction => f.write_str("prediction"),
         }
     }

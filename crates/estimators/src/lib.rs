@@ -7,6 +7,7 @@
 //! |---|---|---|---|
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
+//! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //! | [`Vh`] | the same | polytope, by its vertices | rigorous |
 //! | [`DCz`], [`DZb`] | the same | constrained zonotope, zonotope bundle | rigorous |
@@ -43,6 +44,7 @@
 //! # Ok::<(), estimators::EstimatorError>(())
 //! ```
 
+mod constrained;
 mod error;
 mod error_set;
 mod estimator;
@@ -55,6 +57,7 @@ mod set_filter;
 mod system;
 mod zsmf;
 
+pub use constrained::{ConstrainedMethod, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy};
 pub use error::EstimatorError;
 pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};

@@ -4,11 +4,10 @@ use nonlin_bounds::BoundError;
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, SetError};
 
-use super::equation::Equation;
 use super::options::RczOptions;
-use super::scratch::{Scratch, store};
+use super::scratch::Scratch;
 use super::state::{RczState, cut_hull};
-use crate::set_filter::{of_hull, of_propagation};
+use crate::set_filter::{Equation, of_hull, of_propagation, store};
 use crate::{Culprit, EstimatorError};
 
 /// Cuts a state with equations, all of them together.

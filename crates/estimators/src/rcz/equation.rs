@@ -1,25 +1,14 @@
-//! [`Equation`]: `g(x, v) in Y`, as a measurement or an invariant states it.
+//! What an [`Equation`] says of a box and of a set.
 
 use nonlin_bounds::{BoundError, Conflict, Contraction, Domain, ForwardBackward};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
-use super::scratch::{Scratch, store};
-use crate::set_filter::is_box;
-use crate::system::Relation;
-use crate::{Culprit, EstimatorError};
+use super::scratch::Scratch;
+use crate::EstimatorError;
+use crate::set_filter::{Equation, is_box, store};
 
-/// A function, the values that it takes, and where they come from.
-#[derive(Clone, Copy)]
-pub(super) struct Equation<'a> {
-    pub(super) relation: &'a Relation,
-    /// The noises after the states, if there are any.
-    pub(super) noise: Option<&'a Zonotope>,
-    pub(super) values: &'a [Interval],
-    pub(super) parameters: &'a [Interval],
-    pub(super) culprit: fn(usize) -> Culprit,
-}
-
+/// What [`Rcz`](crate::Rcz) does with an equation.
 impl Equation<'_> {
     /// Shrinks the box of states by propagation through the tape; a conflict leaves it as it was.
     pub(super) fn contract(
@@ -40,14 +29,6 @@ impl Equation<'_> {
         let n = hull.len();
         hull.copy_from_slice(&sides[..n]);
         Ok(None)
-    }
-
-    /// The outputs that a conflict names: one, or all.
-    pub(super) fn culprits(&self, conflict: Option<Conflict>) -> Vec<Culprit> {
-        match conflict {
-            Some(Conflict::Output { output, .. }) => vec![(self.culprit)(output)],
-            _ => (0..self.values.len()).map(self.culprit).collect(),
-        }
     }
 
     /// Cuts a set with the rows of the equation over the box of states, and notes where each row comes from.

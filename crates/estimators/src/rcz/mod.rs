@@ -13,8 +13,8 @@ use setrep::ConstrainedZonotope;
 pub use state::{RczMemory, RczState};
 
 use crate::error::check_size;
-use crate::{Culprit, EstimatorError, Measured, Method, Phase, SetFilter, System};
-use equation::Equation;
+use crate::set_filter::Equation;
+use crate::{EstimatorError, Measured, Method, Phase, SetFilter, System};
 use scratch::Scratch;
 
 /// Guaranteed state estimation with ranged constrained zonotopes: tight, and a few dozen small linear programs a step.
@@ -124,20 +124,8 @@ impl Method for RangedCz {
         trace: &mut dyn FnMut(Phase),
     ) -> Result<(), EstimatorError> {
         let phase = if measured.is_some() { Phase::Update } else { Phase::Consistency };
-        let measurement = measured.map(|measured| Equation {
-            relation: system.measurement(),
-            noise: Some(system.measurement_noise()),
-            values: measured.values,
-            parameters: measured.parameters,
-            culprit: Culprit::Measurement,
-        });
-        let invariant = system.invariant().map(|invariant| Equation {
-            relation: invariant.relation(),
-            noise: None,
-            values: invariant.range(),
-            parameters: &[],
-            culprit: Culprit::Invariant,
-        });
+        let measurement = measured.map(|measured| Equation::measurement(system, measured));
+        let invariant = Equation::invariant(system);
         let rows = [&measurement, &invariant].into_iter().flatten().map(|equation| equation.values.len()).sum();
         if state::is_crowded(state, options, rows) {
             state::reduce(state, options, &mut scratch.bounds.sets)?;

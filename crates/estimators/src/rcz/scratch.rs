@@ -29,17 +29,3 @@ pub struct Scratch {
     pub(super) culprits: Vec<Culprit>,
     pub(super) directions: Directions,
 }
-
-/// Fills the storage of an optional set.
-pub(super) fn store<'a>(
-    slot: &'a mut Option<ConstrainedZonotope>,
-    source: &ConstrainedZonotope,
-) -> &'a mut ConstrainedZonotope {
-    match slot {
-        Some(set) => {
-            set.clone_from(source);
-            set
-        }
-        None => slot.insert(source.clone()),
-    }
-}

@@ -1,15 +1,17 @@
 //! [`SetFilter`]: the shell of all set-valued filters of a [`System`]: what they check, keep and give back.
 
 mod contradiction;
+mod equation;
 mod method;
 mod stacked;
 mod state;
 
 pub(crate) use contradiction::{inconsistent, of_hull, of_propagation};
+pub(crate) use equation::Equation;
 pub use method::{Measured, Method, Phase};
 use scalars::Interval;
 use setrep::SupportFunction;
-pub(crate) use stacked::{Stacked, is_box};
+pub(crate) use stacked::{Stacked, is_box, store};
 pub use state::FilterState;
 
 use crate::error::{check_finite, check_size};

@@ -1,7 +1,7 @@
 //! [`Stacked`]: the box of states and noises that functions are enclosed over.
 
 use scalars::Interval;
-use setrep::Zonotope;
+use setrep::{ConstrainedZonotope, Zonotope};
 
 use crate::EstimatorError;
 
@@ -24,6 +24,20 @@ impl Stacked {
         self.point.clear();
         self.point.extend(self.sides.iter().map(Interval::mid));
         Ok(())
+    }
+}
+
+/// Fills the storage of an optional set.
+pub(crate) fn store<'a>(
+    slot: &'a mut Option<ConstrainedZonotope>,
+    source: &ConstrainedZonotope,
+) -> &'a mut ConstrainedZonotope {
+    match slot {
+        Some(set) => {
+            set.clone_from(source);
+            set
+        }
+        None => slot.insert(source.clone()),
     }
 }
 

@@ -7,7 +7,8 @@ use setrep::{ConstrainedZonotope, Matrix, Zonotope};
 
 use crate::support::Random;
 
-/// Example 5.1, equation (15) with additive noise: variables `(x, w)`.
+/// Example 5.1, equation (15) with additive noise: variables `(x, w)`. With `x_1 x_2 / (x_1 + 4) = x_2 - 4 x_2 / (x_1 + 4)` every variable
+/// occurs once in an entry of the Jacobian, which is then as narrow as it can be; the mean value extension needs that.
 pub(crate) struct PlanarStep;
 
 impl Function for PlanarStep {
@@ -18,9 +19,9 @@ impl Function for PlanarStep {
         2
     }
     fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) {
-        let quotient = x[0] * x[1] / x[0].add_f64(4.0);
-        y[0] = x[0].scale(3.0) - x[0].sqr() * S::ratio(1, 7) - quotient.scale(4.0) + x[2];
-        y[1] = quotient.scale(3.0) - x[1].scale(2.0) + x[3];
+        let quotient = x[1] * x[0].add_f64(4.0).recip();
+        y[0] = x[0].scale(3.0) - x[0].sqr() * S::ratio(1, 7) - x[1].scale(4.0) + quotient.scale(16.0) + x[2];
+        y[1] = x[1] - quotient.scale(12.0) + x[3];
     }
 }
 
@@ -135,7 +136,10 @@ pub(crate) fn attitude_start() -> ConstrainedZonotope {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Draw {
     Uniform,
+    /// At the bounds, with signs drawn at every step.
     Vertex,
+    /// At the bounds, with the same signs at every step.
+    Constant,
 }
 
 impl Draw {
@@ -144,7 +148,14 @@ impl Draw {
         let bound = bound * (1.0 - 1e-12);
         match self {
             Self::Uniform => bound * random.unit(),
-            Self::Vertex => bound * random.sign(),
+            Self::Vertex | Self::Constant => bound * random.sign(),
+        }
+    }
+
+    /// Goes back to the first step's random numbers if the noise is constant.
+    fn begin_step(self, random: &mut Random, first: &Random) {
+        if self == Self::Constant {
+            random.clone_from(first);
         }
     }
 }
@@ -160,7 +171,9 @@ pub(crate) fn value<F: Function>(function: &F, x: &[f64], p: &[f64]) -> Vec<f64>
 pub(crate) fn planar_run(draw: Draw, steps: usize, random: &mut Random) -> Vec<(Vec<f64>, Vec<f64>)> {
     let mut x = vec![5.2, 0.65];
     let mut run = Vec::new();
+    let first = random.clone();
     for _ in 0..=steps {
+        draw.begin_step(random, &first);
         let v = [draw.noise(0.4, random), draw.noise(0.4, random)];
         let y = value(&PlanarOutput, &[&x[..], &v].concat(), &[]);
         run.push((x.clone(), y));
@@ -177,7 +190,9 @@ pub(crate) type AttitudeSample = (Vec<f64>, Vec<f64>, [f64; 3]);
 pub(crate) fn attitude_run(noise: f64, draw: Draw, steps: usize, random: &mut Random) -> Vec<AttitudeSample> {
     let mut x = vec![0.0, 1.0, 0.0, 0.0];
     let mut run = Vec::new();
+    let first = random.clone();
     for k in 0..=steps {
+        draw.begin_step(random, &first);
         let v: Vec<f64> = (0..6).map(|_| draw.noise(noise, random)).collect();
         let y = value(&AttitudeOutput, &[&x[..], &v].concat(), &[]);
         let w: Vec<f64> = (0..3).map(|_| draw.noise(3e-3, random)).collect();

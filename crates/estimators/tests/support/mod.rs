@@ -16,6 +16,7 @@ pub fn cases(default: usize) -> usize {
 }
 
 /// A small generator of random numbers with a printed seed.
+#[derive(Clone)]
 pub struct Random(u64);
 
 impl Random {

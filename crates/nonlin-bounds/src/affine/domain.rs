@@ -12,6 +12,7 @@ pub struct Domain<'a> {
     pub(crate) hull: &'a [Interval],
     pub(crate) at: &'a [f64],
     pub(crate) parameters: &'a [Interval],
+    reach: Option<&'a [Interval]>,
     noises: usize,
 }
 
@@ -21,7 +22,7 @@ impl<'a> Domain<'a> {
     /// The middle of the box is the best point for every form but in special cases: it makes the remainders least.
     #[must_use]
     pub fn new(hull: &'a [Interval], at: &'a [f64]) -> Self {
-        Self { hull, at, parameters: &[], noises: 0 }
+        Self { hull, at, parameters: &[], reach: None, noises: 0 }
     }
 
     /// The same with parameters `p`, which may have a width.
@@ -41,6 +42,17 @@ impl<'a> Domain<'a> {
         Self { noises, ..self }
     }
 
+    /// The same, where remainders of affine enclosures bound `x - gamma` by `reach - gamma` with a box `reach` around `hull`; derivatives are
+    /// still taken over `hull`. Only ever looser: for comparison with methods that know a wider box of the set than its hull.
+    ///
+    /// With the box of the zonotope that is left when all constraints are eliminated, the mean value form has the `P` of the paper.
+    ///
+    /// **Source:** paper 003, Theorem 1 and Remark 2.
+    #[must_use]
+    pub fn with_reach(self, reach: &'a [Interval]) -> Self {
+        Self { reach: Some(reach), ..self }
+    }
+
     /// The number of variables that are not noises.
     pub(crate) fn states(&self) -> usize {
         self.hull.len().saturating_sub(self.noises)
@@ -52,9 +64,23 @@ impl<'a> Domain<'a> {
         BoundError::check_box(Operand::Hull, n, self.hull)?;
         BoundError::check_size(Operand::ExpansionPoint, n, self.at.len())?;
         BoundError::check_size(Operand::Parameters, f.parameters(), self.parameters.len())?;
+        if let Some(reach) = self.reach {
+            BoundError::check_box(Operand::Hull, n, reach)?;
+        }
         match self.at.iter().position(|x| !x.is_finite()) {
             Some(index) => Err(BoundError::NonFinite { operand: Operand::ExpansionPoint, index }),
             None => Ok(()),
+        }
+    }
+
+    /// Writes `x - gamma` for `x` in the box, or in the wider one that was given.
+    pub(crate) fn steps_into(&self, steps: &mut Vec<Interval>) {
+        steps.clear();
+        steps.extend(self.hull.iter().zip(self.at).map(|(side, &x)| side.add_f64(-x)));
+        if let Some(reach) = self.reach {
+            for ((step, side), &x) in steps.iter_mut().zip(reach).zip(self.at) {
+                *step = step.hull(side.add_f64(-x));
+            }
         }
     }
 

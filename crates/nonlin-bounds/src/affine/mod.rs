@@ -179,8 +179,25 @@ impl AffineEnclosure {
         domain: &Domain<'_>,
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
+        self.enclose_at_best(Form::Taylor, f, domain, workspace)
+    }
+
+    /// As [`enclose_where_possible`](Self::enclose_where_possible), with `form` as the best form: outputs that are not smooth enough for it
+    /// fall back to the mean value form, then to the range.
+    ///
+    /// **Guarantee:** as [`enclose`](Self::enclose), for every `x` in the box at which the output is defined.
+    ///
+    /// # Errors
+    /// As [`enclose_where_possible`](Self::enclose_where_possible).
+    pub fn enclose_at_best(
+        &mut self,
+        form: Form,
+        f: &dyn DynFunction,
+        domain: &Domain<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
         domain.check(f)?;
-        let mut order = Order::Hessian;
+        let (mut order, _) = form.orders();
         while let Err(error) = domain.evaluate(f, order, workspace) {
             order = match (error, order) {
                 (BoundError::OrderNotAvailable { .. }, Order::Hessian) => Order::Jacobian,
@@ -189,8 +206,8 @@ impl AffineEnclosure {
             };
         }
         let best = |jet: &Jet, output: usize| match jet.smoothness()[output] {
-            Smoothness::C2 if order == Order::Hessian && has_bounded_hessian(jet, output) => Form::Taylor,
-            Smoothness::C1 | Smoothness::C2 if order >= Order::Jacobian => Form::MeanValue,
+            Smoothness::C2 if order == Order::Hessian && has_bounded_hessian(jet, output) => form,
+            Smoothness::C1 | Smoothness::C2 if order >= Order::Jacobian && form != Form::Natural => Form::MeanValue,
             _ => Form::Natural,
         };
         let at_point = if order == Order::Hessian { Order::Jacobian } else { Order::Value };
@@ -254,8 +271,7 @@ fn fit(
         }
         evaluate(f, Order::Jacobian, point, domain.parameters, noise_at_point)?;
     }
-    steps.clear();
-    steps.extend(domain.hull.iter().zip(domain.at).map(|(side, &x)| side.add_f64(-x)));
+    domain.steps_into(steps);
     let parts = Parts {
         over_box,
         at_point: point_jet,

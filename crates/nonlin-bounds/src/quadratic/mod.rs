@@ -38,6 +38,8 @@ pub enum Copies {
 pub struct QuadraticEnclosure {
     affine: AffineEnclosure,
     curvature: ConstrainedZonotope,
+    /// The range of each output over the box.
+    ranges: Vec<Interval>,
 }
 
 impl QuadraticEnclosure {
@@ -56,7 +58,7 @@ impl QuadraticEnclosure {
         workspace: &mut Workspace,
     ) -> Result<Self, BoundError> {
         let curvature = ConstrainedZonotope::from_box(&vec![0.0; f.outputs()], &vec![0.0; f.outputs()])?;
-        let mut enclosure = Self { affine: AffineEnclosure::new(), curvature };
+        let mut enclosure = Self { affine: AffineEnclosure::new(), curvature, ranges: Vec::new() };
         enclosure.renew(f, set, domain, copies, workspace)?;
         Ok(enclosure)
     }
@@ -121,32 +123,62 @@ impl QuadraticEnclosure {
         self.affine.image_plus(set, Some(&self.curvature), workspace)
     }
 
-    /// Intersection of the set that the enclosure was made for with the solutions of `f(z) in Y`, `Y` a bounded box:
+    /// Intersection of the set that the enclosure was made for with the solutions of `f(z) in Y`, `Y` a box:
     /// `{ z in Z : J z in Y - [e] - K + J gamma }` as a generalised intersection.
     ///
-    /// Noises are among the variables: stack their set with the states' and project afterwards.
+    /// Sides of `Y` may be unbounded. An output without any bound gives no row; one with a bound on one side is bounded by its range over the
+    /// box on the other. The first constraints appended are those of `K`, the last one row for each output that is left, in order.
     ///
-    /// **Guarantee:** superset of `{ z in Z and H : f(z) in Y }`.
+    /// Noises are among the variables: stack their set with the states', cut the product, and project it afterwards. Where they act along
+    /// axes, the set of the states alone is cut (the first variables): the others then range over their sides of the box, without generators.
+    ///
+    /// **Guarantee:** superset of `{ z in Z and H : f(z) in Y }`, or of its states.
     /// **Source:** paper 003, Proposition 4, Corollary 2, Remark 13.
     ///
     /// # Errors
-    /// [`BoundError::Dimension`], [`BoundError::UnboundedResult`], [`BoundError::Set`]; the set is then unchanged.
+    /// [`BoundError::Dimension`], [`BoundError::EmptyInterval`] for an empty side of `Y`, [`BoundError::UnboundedResult`],
+    /// [`BoundError::Set`]; the set is then unchanged.
     pub fn intersect(
         &self,
         set: &mut ConstrainedZonotope,
         values: &[Interval],
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
-        let (n, m) = (self.affine.variables(), self.affine.outputs());
-        BoundError::check_size(Operand::Variables, n, set.dim())?;
-        self.affine.check_solution(n, values.len())?;
-        self.affine.shifts_into(|i| values[i], n, n, workspace)?;
-        self.affine.cut(set, workspace, |other, map, workspace| {
+        let (states, m) = (set.dim(), self.affine.outputs());
+        self.affine.check_solution(states, values.len())?;
+        if let Some(index) = values.iter().position(Interval::is_empty) {
+            return Err(BoundError::EmptyInterval { operand: Operand::Outputs, index });
+        }
+        let says = |i: usize| values[i] != Interval::ENTIRE;
+        let kept = (0..m).filter(|&i| says(i)).count();
+        if kept == 0 {
+            return Ok(());
+        }
+        self.affine.shifts_into(|i| bounded_by(values[i], self.ranges[i]), states, states, workspace)?;
+        let mut row = 0;
+        workspace.offsets.retain(|_| {
+            row += 1;
+            says(row - 1)
+        });
+        let outputs = || (0..m).filter(|&i| says(i)).enumerate();
+        let mut map = core::mem::take(&mut workspace.map);
+        let mut other = workspace.constrained.take().unwrap_or_else(|| set.clone());
+        let mut steps = || -> Result<(), BoundError> {
             other.clone_from(&self.curvature);
-            map.reset(m, m);
-            (0..m).for_each(|i| map[(i, i)] = -1.0);
-            Ok(other.linear_map_in_place(map, &mut workspace.sets)?)
-        })
+            map.reset(kept, m);
+            outputs().for_each(|(row, i)| map[(row, i)] = -1.0);
+            other.linear_map_in_place(&map, &mut workspace.sets)?;
+            other.add_box(&workspace.offsets)?;
+            map.reset(kept, states);
+            for k in 0..states {
+                outputs().for_each(|(row, i)| map[(row, k)] = self.affine.jacobian[(i, k)]);
+            }
+            Ok(set.intersect(&map, &other, &mut workspace.sets)?)
+        };
+        let result = steps();
+        workspace.constrained = Some(other);
+        workspace.map = map;
+        result
     }
 
     /// Overwrites the enclosure, given the derivatives in the workspace.
@@ -166,7 +198,9 @@ impl QuadraticEnclosure {
         parts.boxes(domain, body.center());
         let count = parts.columns.cols();
         let pairs = count * (count + 1) / 2;
-        let copied = if copies == Copies::Shared { 0 } else { count };
+        // Without a cross term there is nothing to copy.
+        let crossed = parts.shift.iter().any(|shift| *shift != Interval::ZERO);
+        let copied = if copies == Copies::Separate && crossed { count } else { 0 };
         parts.generators.reset(m, pairs + copied);
         workspace.jacobian.reset(m, n);
         workspace.offsets.clear();
@@ -193,7 +227,7 @@ impl QuadraticEnclosure {
                     }
                 };
             }
-            if copies == Copies::Separate {
+            if copied > 0 {
                 error = add_up(error, parts.copy_cross(i, pairs));
             }
             let (center, radius) = parts.square(hessian, i);
@@ -212,6 +246,8 @@ impl QuadraticEnclosure {
         self.affine.at.extend_from_slice(at);
         self.affine.hull.clear();
         self.affine.hull.extend_from_slice(domain.hull);
+        self.ranges.clear();
+        self.ranges.extend_from_slice(workspace.over_box.values());
         core::mem::swap(&mut self.affine.jacobian, &mut workspace.jacobian);
         core::mem::swap(&mut self.affine.offsets, &mut workspace.offsets);
         Ok(())
@@ -280,6 +316,13 @@ impl Parts {
         }
         sum
     }
+}
+
+/// A value with its unbounded sides replaced by those of a range, where it reaches as far.
+fn bounded_by(value: Interval, range: Interval) -> Interval {
+    let lo = if value.lo() == f64::NEG_INFINITY { range.lo().min(value.hi()) } else { value.lo() };
+    let hi = if value.hi() == f64::INFINITY { range.hi().max(value.lo()) } else { value.hi() };
+    Interval::new(lo, hi).unwrap_or(value)
 }
 
 /// A midpoint; 0 for what is unbounded.

@@ -35,6 +35,11 @@ impl Parts {
         for a in 0..count {
             self.zeros_as_points(a);
             multiply(hessian, &self.ranges, &mut self.curved);
+            if self.curved.iter().all(|v| *v == Interval::ZERO) {
+                // The output does not curve along this column; the entries of the row are zero already.
+                pair += count - a - 1;
+                continue;
+            }
             for b in a..count {
                 let dot = |g: &[f64]| -> Interval {
                     self.curved.iter().zip(g).fold(Interval::ZERO, |sum, (v, &g)| {

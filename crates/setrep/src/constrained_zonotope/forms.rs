@@ -22,6 +22,15 @@ impl ConstrainedZonotope {
         self.pad_constraints();
     }
 
+    /// Turns the components of the box remainder that are of model size into generators; see
+    /// [`Zonotope::materialize_model_size`](crate::Zonotope::materialize_model_size).
+    ///
+    /// **Guarantee:** exact (the same set).
+    pub fn materialize_model_size(&mut self) {
+        self.body.materialize_model_size();
+        self.pad_constraints();
+    }
+
     /// The textbook form (CG-rep) of the set: `r = 0` and every range a point, one slack generator for each range with width.
     ///
     /// `A_i xi in m +- s` becomes `A_i xi - s zeta = m`, `|zeta| <= 1`, with midpoint `m` and radius `s` of the range.

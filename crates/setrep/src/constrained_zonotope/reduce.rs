@@ -72,7 +72,8 @@ impl ConstrainedZonotope {
     /// Encloses the set in one with at most `max_generators` generators and the same number of constraints.
     ///
     /// The set is the part of the lifted zonotope `{ (x, t) : x = c + G xi + e, t = A xi }` of dimension `n + nc` with `t in [b]`;
-    /// the lift is reduced as a zonotope, and what rounding adds to its remainder in `t` widens `[b]`.
+    /// the lift is reduced as a zonotope, and what rounding adds to its remainder in `t` widens `[b]`. Rows that an intersection has formed from
+    /// `G` make the lift flat, which [`Reduction::Method4`] and [`Reduction::Pca`] keep.
     ///
     /// **Guarantee:** superset of the set; at most `max_generators` generators.
     /// **Source:** Scott, Raimondo, Marseglia, Braatz 2016, Section 4.3.

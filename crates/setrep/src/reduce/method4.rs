@@ -14,7 +14,7 @@ use crate::{SetError, Workspace, Zonotope};
 /// Pivots below this (rows scaled to 1-norm 1) count as zero: the generators do not span the space.
 const RANK_TOLERANCE: f64 = 1e-12;
 
-/// Reduces a set with more than `s >= n` generators to at most `s`; as Combastel for rank-deficient generators.
+/// Reduces a set with more than `s >= n` generators to at most `s`; as Combastel if the frame is too ill-conditioned.
 pub(super) fn reduce(set: &mut Zonotope, s: usize, workspace: &mut Workspace) -> Result<(), SetError> {
     if pivot(set, workspace) {
         let absorbed = set.num_generators() - s;
@@ -27,7 +27,10 @@ pub(super) fn reduce(set: &mut Zonotope, s: usize, workspace: &mut Workspace) ->
 }
 
 /// Gauss-Jordan elimination with full pivoting on the generators with rows scaled to 1-norm 1. Leaves `R` (all columns) in
-/// `workspace.matrix`, the pivot columns in row order in `workspace.selected` and as the frame; `false` if the rank is deficient.
+/// `workspace.matrix`, the pivot columns in row order in `workspace.selected` and as the frame; `false` if there is no pivot at all.
+///
+/// Generators that do not span the space (those of a flat set, or of the lift of a set with measured rows, which are combinations of
+/// the others) have rows without a pivot. `R` and the frame are zero there: the parallelotope is one in the span.
 fn pivot(set: &Zonotope, workspace: &mut Workspace) -> bool {
     let (n, m) = (set.dim(), set.num_generators());
     let Workspace { matrix: a, selected, row_sums, frame, .. } = workspace;
@@ -53,14 +56,22 @@ fn pivot(set: &Zonotope, workspace: &mut Workspace) -> bool {
             }
         }
         if row == usize::MAX {
-            return false;
+            break;
         }
         selected[row] = col;
         eliminate(a, n, row, col);
     }
     frame.clear();
-    frame.extend(selected.iter().flat_map(|&j| set.generators.col(j)));
-    true
+    for (i, &j) in selected.iter().enumerate() {
+        if j == usize::MAX {
+            frame.extend((0..n).map(|_| 0.0));
+            // What elimination has left in such a row is rounding.
+            a.iter_mut().skip(i).step_by(n).for_each(|x| *x = 0.0);
+        } else {
+            frame.extend_from_slice(set.generators.col(j));
+        }
+    }
+    selected.iter().any(|&j| j != usize::MAX)
 }
 
 /// Makes column `col` the unit vector of `row` by row operations.
@@ -106,6 +117,7 @@ fn absorb_cheapest(set: &Zonotope, count: usize, workspace: &mut Workspace) {
         }
         selected.push(j);
     }
+    selected.retain(|&j| j != usize::MAX);
     selected.sort_unstable();
     coordinates.clear();
     coordinates.extend(selected.iter().flat_map(|&j| &r[j * n..][..n]));

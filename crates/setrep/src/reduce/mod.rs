@@ -38,7 +38,7 @@ impl Zonotope {
     /// Generators that are zero are dropped. Allocates nothing within the capacity of the workspace.
     ///
     /// **Guarantee:** superset of the set; at most `max_generators` columns; the box remainder grows by rounding only. PCA and
-    /// method 4 fall back to Combastel where their frame is not well-conditioned enough for that (rank-deficient generators).
+    /// method 4 fall back to Combastel where their frame is not well-conditioned enough for that.
     /// **Source:** see [`Reduction`] and `reduce/*.rs`.
     ///
     /// # Errors

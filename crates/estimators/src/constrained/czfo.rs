@@ -1,0 +1,94 @@
+//! The first-order extension: Propositions 2 and 4, Corollary 2.
+//!
+//! With `z = (x, w)` in `Z = c + G xi` and `gamma` in its hull: `f(z)` lies in `f(gamma) + f'(gamma) (z - gamma) + [e] + K`, where `K` has the
+//! products of generators as coordinates and the products of constraints as constraints. See [`QuadraticEnclosure`], which has `L` with a symmetric `Q`:
+//! as printed, with an upper triangular one, Lemma 2 does not hold unless `gamma = c`.
+
+use nonlin_bounds::{BoundError, QuadraticEnclosure};
+use scalars::Interval;
+use setrep::{ConstrainedZonotope, Zonotope};
+
+use super::czmv;
+use super::options::CzOptions;
+use super::scratch::{Scratch, forget_noises};
+use crate::set_filter::{Equation, is_box, store};
+use crate::system::Relation;
+use crate::{Culprit, EstimatorError};
+
+/// Image of a set in `hull` under the dynamics: Proposition 2, or Proposition 1 where they are not smooth enough.
+pub(super) fn image(
+    (dynamics, noise): (&Relation, &Zonotope),
+    options: &CzOptions,
+    parameters: &[Interval],
+    (set, hull): (&mut ConstrainedZonotope, &[Interval]),
+    scratch: &mut Scratch,
+) -> Result<(), EstimatorError> {
+    if !enclose(dynamics, Some(noise), options, parameters, (&*set, hull), scratch)? {
+        return czmv::image((dynamics, noise), options, parameters, (set, hull), scratch);
+    }
+    let Scratch { bounds, quadratic, .. } = scratch;
+    if let Some(quadratic) = quadratic {
+        set.product_assign_zonotope(noise);
+        quadratic.image_in_place(set, bounds)?;
+    }
+    Ok(())
+}
+
+/// Cuts a set in `hull` with the solutions of an equation: Proposition 4 for measurements, Corollary 2 for invariants; as
+/// [`czmv::cut`] where the function is not smooth enough.
+pub(super) fn cut(
+    equation: &Equation<'_>,
+    options: &CzOptions,
+    (set, hull): (&mut ConstrainedZonotope, &[Interval]),
+    scratch: &mut Scratch,
+) -> Result<(), EstimatorError> {
+    if !enclose(equation.relation, equation.noise, options, equation.parameters, (&*set, hull), scratch)? {
+        return czmv::cut(equation, options, (set, hull), scratch);
+    }
+    let Scratch { bounds, quadratic: Some(quadratic), product, map, culprits, .. } = scratch else { return Ok(()) };
+    match equation.noise.filter(|noise| !is_box(noise)) {
+        None => quadratic.intersect(set, equation.values, bounds)?,
+        Some(noise) => {
+            let product = store(product, set);
+            product.product_assign_zonotope(noise);
+            quadratic.intersect(product, equation.values, bounds)?;
+            forget_noises(hull.len(), product, map, bounds)?;
+            core::mem::swap(set, product);
+        }
+    }
+    // Products of the set's constraints say nothing that the set does not.
+    let said = (0..equation.values.len()).filter(|&i| equation.values[i] != Interval::ENTIRE);
+    culprits.resize(set.num_constraints() - said.clone().count(), Culprit::Prediction);
+    culprits.extend(said.map(equation.culprit));
+    Ok(())
+}
+
+/// Encloses a function on a set and noises; `false` if it is not smooth enough there.
+fn enclose(
+    relation: &Relation,
+    noise: Option<&Zonotope>,
+    options: &CzOptions,
+    parameters: &[Interval],
+    (set, hull): (&ConstrainedZonotope, &[Interval]),
+    scratch: &mut Scratch,
+) -> Result<bool, EstimatorError> {
+    let Scratch { bounds, quadratic, place, product, .. } = scratch;
+    place.choose(options, set, hull, noise, bounds)?;
+    let product = store(product, set);
+    if let Some(noise) = noise {
+        product.product_assign_zonotope(noise);
+    }
+    let (function, domain) = (relation.function(), place.domain(parameters));
+    let result = match quadratic {
+        Some(quadratic) => quadratic.renew(function, product, &domain, options.copies, bounds),
+        None => QuadraticEnclosure::new(function, product, &domain, options.copies, bounds)
+            .map(|enclosure| *quadratic = Some(enclosure)),
+    };
+    match result {
+        Ok(()) => Ok(true),
+        Err(
+            BoundError::NotSmooth { .. } | BoundError::UnboundedResult { .. } | BoundError::OrderNotAvailable { .. },
+        ) => Ok(false),
+        Err(error) => Err(error.into()),
+    }
+}
