@@ -10,7 +10,8 @@
 //! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //! | [`Vh`] | the same | polytope, by its vertices | rigorous |
-//! | [`DCz`], [`DZb`] | the same | constrained zonotope, zonotope bundle | rigorous |
+//! | [`Rrsr`], [`DCz`] | the same | constrained zonotope | rigorous |
+//! | [`DZb`] | the same | zonotope bundle | rigorous |
 //! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
 //!
 //! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
@@ -65,7 +66,8 @@ pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
 pub use polytopic::{
     Comb, CombMember, CombOptions, DCz, DCzOptions, DCzScratch, DZb, DZbOptions, DZbScratch, DecomposedBundle,
-    DecomposedConstrained, PolytopeForm, Stability, VertexPolytopes, Vh, VhOptions, VhScratch, WidthBound, stability,
+    DecomposedConstrained, PolytopeForm, Rrsr, Stability, VertexPolytopes, Vh, VhCenter, VhOptions, VhScratch,
+    WidthBound, stability,
 };
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
 pub use set_filter::{FilterState, Measured, Method, Phase, SetFilter};

@@ -30,7 +30,7 @@ pub enum WidthBound {
     /// As `|P| |C| >= |P C|`, the rows with `D_ii = 1` are never less than the others: the least is always `D = 0`, and the theorem does not see
     /// what measurements are good for.
     Printed,
-    /// For the expansion at the centers of the hulls, as [`Vh`](crate::Vh) does: `L(D) = (D (|P| R + |E|) + I - D) M`, any `D`.
+    /// For the expansion at the centers of the hulls, [`VhCenter::HullCenter`](crate::VhCenter::HullCenter): `L(D) = (D (|P| R + |E|) + I - D) M`, any `D`.
     ///
     /// The prediction has widths `Delta_f <= M Delta + const`, as `|v - p_0| <= Delta / 2`. In the update `C x` has widths of at most
     /// `R Delta_f + const`, the constant from the noise, and `x = P C x + E x`.

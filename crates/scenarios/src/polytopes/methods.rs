@@ -1,8 +1,8 @@
 //! [`PolytopeCase`]: a system with a first set, and the filters for it by their names.
 
 use estimators::{
-    Comb, CombMember, CombOptions, DCz, DCzOptions, DZb, DZbOptions, Estimator, EstimatorError, Phase, Rcz, RczOptions,
-    System, Vh, VhOptions,
+    Comb, CombMember, CombOptions, CzFilter, CzOptions, DCz, DCzOptions, DZb, DZbOptions, Estimator, EstimatorError,
+    Phase, Rcz, RczOptions, System, Vh, VhOptions,
 };
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, VPolytope, Zonotope};
@@ -39,6 +39,7 @@ impl PolytopeCase {
         let build: Box<dyn Fn() -> Result<Box<dyn SetEstimator>, ScenarioError> + Send + Sync> = match name {
             "vh" => Box::new(move || Ok(Box::new(case.vh(VhOptions::paper())?))),
             "vh/tight" => Box::new(move || Ok(Box::new(case.vh(VhOptions::tight())?))),
+            "rrsr" => Box::new(move || Ok(Box::new(case.rrsr()?))),
             "d-cz" => Box::new(move || Ok(Box::new(case.d_cz()?))),
             "d-zb" => Box::new(move || Ok(Box::new(case.d_zb()?))),
             "comb" => Box::new(move || Ok(Box::new(case.comb()?))),
@@ -62,6 +63,10 @@ impl PolytopeCase {
     /// None: the sizes fit.
     pub fn vh(&self, options: VhOptions) -> Result<Vh, ScenarioError> {
         Ok(Vh::new(self.system.clone(), self.vertices()?, options)?)
+    }
+
+    fn rrsr(&self) -> Result<CzFilter, ScenarioError> {
+        Ok(CzFilter::new(self.system.clone(), self.constrained(), CzOptions::rrsr())?)
     }
 
     fn d_cz(&self) -> Result<DCz, ScenarioError> {
