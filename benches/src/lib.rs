@@ -15,6 +15,7 @@ pub mod intervals;
 pub mod lp_peers;
 pub mod polytopes;
 pub mod sets;
+pub mod strips;
 pub mod timing;
 
 /// The functions that are timed: those of the tests.
@@ -29,6 +30,7 @@ pub fn all() -> Vec<Bench> {
     let mut benches = intervals::benches();
     benches.extend(groups::benches());
     benches.extend(sets::benches());
+    benches.extend(strips::benches());
     benches.extend(derivatives::benches());
     benches.extend(hulls::benches());
     benches.extend(constrained::benches());

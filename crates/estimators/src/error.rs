@@ -39,6 +39,16 @@ pub enum EstimatorError {
         /// Position of the range.
         index: usize,
     },
+    /// A measurement of a step that is no longer remembered, or not yet reached.
+    #[error("step {step} is not between {oldest}, the oldest that is remembered, and {newest}")]
+    OutOfReach {
+        /// The step of the measurement.
+        step: u64,
+        /// The oldest step that a measurement can come for.
+        oldest: u64,
+        /// The step under way.
+        newest: u64,
+    },
     /// Measurements, invariants and bounds contradict each other, with proof. The filter keeps its predicted set.
     #[error("{0}")]
     Inconsistent(Box<Inconsistency>),
@@ -106,10 +116,36 @@ pub enum EstimatorError {
         /// Largest error accepted.
         tolerance: f64,
     },
-    /// A matrix factorisation did not converge.
+    /// A covariance is not positive semidefinite, or has lost that by a negative weight.
+    #[error("{what} is not positive semidefinite: pivot {index} is {value:e}")]
+    NotPositive {
+        /// The covariance.
+        what: &'static str,
+        /// Position of the pivot; outputs come before states where both are meant.
+        index: usize,
+        /// The squared pivot that was left.
+        value: f64,
+    },
+    /// A covariance is not symmetric.
+    #[error("{what}: entries ({row}, {col}) and ({col}, {row}) differ")]
+    NotSymmetric {
+        /// The covariance.
+        what: &'static str,
+        /// Row of the entry.
+        row: usize,
+        /// Its column.
+        col: usize,
+    },
+    /// Weights that give no sigma points in this dimension.
+    #[error("these weights put the sigma points at a squared distance of {squared_spread}, need a finite positive one")]
+    NoSigmaPoints {
+        /// Squared distance of the points from the mean, in standard deviations.
+        squared_spread: f64,
+    },
+    /// A matrix factorisation or an iteration did not converge.
     #[error("{what} did not converge")]
     NoConvergence {
-        /// The factorisation.
+        /// What did not.
         what: &'static str,
     },
     /// Placed poles are those of `A - L C` over a whole step; an update alone does not know `A`.

@@ -1,4 +1,4 @@
-//! Set-membership filters on vector spaces and Lie groups.
+//! Set-membership and Kalman filters on vector spaces and Lie groups.
 //!
 //! A filter keeps a set that holds the state. Between measurements the set moves with the model and grows by the process noise; a
 //! measurement cuts it ([`Rcz`]), or corrects an estimate in it by a gain `L` times the innovation ([`Zsmf`], [`InZsmf`]).
@@ -8,11 +8,16 @@
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
 //! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
+//! | [`ZonotopeFilter`] | `R^n`, a [`System`] | zonotope: ZMV and ZFO of paper 003 | rigorous |
+//! | [`Zf`] | `R^n`, a [`System`] | zonotope: ZF of paper 001, linear systems included | rigorous |
+//! | [`LinearizedZf`] | `R^n`, a [`System`] | the same, linearised at the center | first order |
+//! | [`LinearCz`] | `R^n`, a [`LinearSystem`] | constrained zonotope, exact but for rounding | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //! | [`Vh`] | the same | polytope, by its vertices | rigorous |
 //! | [`Rrsr`], [`DCz`] | the same | constrained zonotope | rigorous |
 //! | [`DZb`] | the same | zonotope bundle | rigorous |
 //! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
+//! | [`kalman`]: `Kf`, `Ekf`, `Ukf` | `R^N`, or a Lie group | mean and covariance | statistical |
 //!
 //! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
 //! [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
@@ -52,10 +57,13 @@ mod estimator;
 pub mod gain;
 mod inconsistency;
 mod inzsmf;
+pub mod kalman;
+mod linear_cz;
 mod polytopic;
 mod rcz;
 mod set_filter;
 mod system;
+mod zonotopic;
 mod zsmf;
 
 pub use constrained::{ConstrainedMethod, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy};
@@ -64,14 +72,20 @@ pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
+pub use linear_cz::{LinearCz, LinearOptions, LinearSystem, NoiseForm};
 pub use polytopic::{
     Comb, CombMember, CombOptions, DCz, DCzOptions, DCzScratch, DZb, DZbOptions, DZbScratch, DecomposedBundle,
     DecomposedConstrained, PolytopeForm, Rrsr, Stability, VertexPolytopes, Vh, VhCenter, VhOptions, VhScratch,
     WidthBound, stability,
 };
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
-pub use set_filter::{FilterState, Measured, Method, Phase, SetFilter};
+pub use set_filter::{
+    DelayedFilter, Fault, FaultPolicy, FilterState, Inflate, Measured, Method, Phase, Recovery, SetFilter,
+};
 pub use system::{Invariant, Relation, System};
+pub use zonotopic::{
+    LinearizedZf, StripForm, Zf, ZfMethod, ZfOptions, ZonotopeFilter, ZonotopeOptions, ZonotopicMethod,
+};
 pub use zsmf::{Model, Zsmf};
 
 /// The README's example is a doctest.

@@ -3,9 +3,9 @@
 use std::fmt;
 use std::sync::Arc;
 
-use nonlin_bounds::{DynFunction, Function, Tape};
+use nonlin_bounds::{DynFunction, Function, Linear, Tape};
 use scalars::Interval;
-use setrep::Zonotope;
+use setrep::{Matrix, Zonotope};
 
 use crate::EstimatorError;
 use crate::error::check_size;
@@ -110,6 +110,55 @@ impl System {
         let variables = states + measurement_noise.dim();
         check_size("variables of the measurement", variables, measurement.function().variables())?;
         Ok(Self { dynamics, process_noise, measurement, measurement_noise, invariant: None })
+    }
+
+    /// A linear system without inputs,
+    ///
+    /// ```text
+    /// x_k = A x_{k-1} + B w_{k-1}    w in W        A: n x n,  B: n x q
+    /// y_k = C x_k + D v_k            v in V        C: m x n,  D: m x r
+    /// ```
+    ///
+    /// for filters of a [`System`], which are exact for it but for rounding and what their sets cannot hold. Inputs enter as parameters
+    /// ([`Linear::with_parameters`](nonlin_bounds::Linear::with_parameters)).
+    ///
+    /// # Errors
+    /// [`EstimatorError::Size`] if the sizes do not fit, [`EstimatorError::Bound`] for entries that are not finite.
+    ///
+    /// ```
+    /// use estimators::{Estimator, System, Zf, ZfOptions};
+    /// use setrep::{Matrix, Zonotope};
+    ///
+    /// // A mass with an unknown push every 0.1 s; its position is measured.
+    /// let a = Matrix::from_rows(&[&[1.0, 0.1], &[0.0, 1.0]])?;
+    /// let (b, c) = (Matrix::from_rows(&[&[0.005], &[0.1]])?, Matrix::from_rows(&[&[1.0, 0.0]])?);
+    /// let (push, error) = (Zonotope::from_box(&[0.0], &[0.1])?, Zonotope::from_box(&[0.0], &[0.2])?);
+    /// let system = System::linear(&a, &b, push, &c, &Matrix::identity(1), error)?;
+    /// let mut filter = Zf::new(system, Zonotope::from_box(&[0.0, 0.0], &[10.0, 10.0])?, ZfOptions::new(20))?;
+    /// for k in 0..100 {
+    ///     filter.step(&[], &[0.1 * f64::from(k)])?; // moving at speed 1
+    /// }
+    /// assert!(filter.hull()[1].contains(1.0) && filter.hull()[1].rad() < 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn linear(
+        a: &Matrix,
+        b: &Matrix,
+        process_noise: Zonotope,
+        c: &Matrix,
+        d: &Matrix,
+        measurement_noise: Zonotope,
+    ) -> Result<Self, EstimatorError> {
+        let side_by_side = |what, left: &Matrix, right: &Matrix| {
+            check_size(what, left.rows(), right.rows())?;
+            let columns = [left.as_slice(), right.as_slice()].concat();
+            let both = Matrix::from_column_slice(left.rows(), left.cols() + right.cols(), &columns)?;
+            Ok::<_, EstimatorError>(Relation::new(Linear::new(both)?))
+        };
+        check_size("columns of A", a.rows(), a.cols())?;
+        check_size("columns of C", a.rows(), c.cols())?;
+        let dynamics = side_by_side("rows of B", a, b)?;
+        Self::new(dynamics, process_noise, side_by_side("rows of D", c, d)?, measurement_noise)
     }
 
     /// The same system with the invariant `h(x) in [range]`; `h` has the states as variables and no parameters.

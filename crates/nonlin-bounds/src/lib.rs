@@ -51,6 +51,7 @@ mod function;
 mod image;
 mod integrators;
 mod jet;
+mod linear;
 mod macros;
 mod parallelotope;
 mod quadratic;
@@ -74,6 +75,7 @@ pub use image::{
 };
 pub use integrators::{Euler, Flow, Heun, Rk4};
 pub use jet::Jet;
+pub use linear::Linear;
 pub use quadratic::{Copies, QuadraticEnclosure};
 pub use range::{RangeMethod, range};
 pub use scalars;

@@ -4,7 +4,9 @@
 //! ([`report`]), figures ([`figure`]) and curves ([`curve`]), all in memory. Random streams and parallel runs come from [`monte_carlo`];
 //! what experiments with set-valued filters share is in [`set_study`], those of paper 004 in [`polytopes`].
 
+pub mod batch_reactor;
 pub mod contender;
+pub mod contest;
 pub mod curve;
 pub mod cz_attitude;
 pub mod cz_planar;
@@ -28,6 +30,7 @@ pub mod set_study;
 pub mod truth;
 pub mod unicycle;
 pub mod vehicle;
+pub mod vehicle_polar;
 pub mod wifibot;
 
 pub use curve::Curve;

@@ -96,14 +96,19 @@ fn vertex<const N: usize, R: Rng>(bounds: &[f64; N], rng: &mut R) -> [f64; N] {
     bounds.map(|bound| if rng.random::<bool>() { bound } else { -bound })
 }
 
-/// A Gaussian of standard deviation 1/3, given that it lies in `[-1, 1]` (Box-Muller, then rejection: 0.3 % are drawn again).
+/// A Gaussian of standard deviation 1/3, given that it lies in `[-1, 1]` (rejection: 0.3 % are drawn again).
 fn truncated_gaussian<R: Rng>(rng: &mut R) -> f64 {
     loop {
-        // 1 - u lies in (0, 1], where the logarithm is finite.
-        let radius = (-2.0 * (1.0 - rng.random::<f64>()).ln()).sqrt();
-        let value = radius * (std::f64::consts::TAU * rng.random::<f64>()).cos() / SIGMAS_TO_THE_BOUND;
+        let value = standard_normal(rng) / SIGMAS_TO_THE_BOUND;
         if value.abs() <= 1.0 {
             return value;
         }
     }
+}
+
+/// A Gaussian of mean 0 and standard deviation 1, without bounds (Box-Muller).
+pub fn standard_normal<R: Rng>(rng: &mut R) -> f64 {
+    // 1 - u lies in (0, 1], where the logarithm is finite.
+    let radius = (-2.0 * (1.0 - rng.random::<f64>()).ln()).sqrt();
+    radius * (std::f64::consts::TAU * rng.random::<f64>()).cos()
 }

@@ -42,6 +42,11 @@ impl<S: Scalar> Wedge<S> {
         Self { n, k, terms, minors, subset: Vec::with_capacity(k) }
     }
 
+    /// Whether the tables are those of products of `k` columns in `R^n`.
+    pub(crate) fn fits(&self, n: usize, k: usize) -> bool {
+        (self.n, self.k) == (n, k)
+    }
+
     /// The product of the given columns of a column-major array.
     pub(crate) fn of(&mut self, columns: &[f64], subset: &[usize]) -> &[S] {
         for (depth, &j) in subset.iter().enumerate() {
@@ -104,7 +109,7 @@ pub(crate) fn normal_from_minors<S: Scalar>(minors: &[S], normal: &mut [S]) {
 }
 
 /// Most dimensions whose tables of minors are built: they grow as `n 2^n`.
-const MAX_DIM: usize = 14;
+pub(crate) const MAX_DIM: usize = 14;
 
 /// Number of `k`-subsets of `m` columns in `R^n`, saturating; saturated where the dimension is too large for the tables.
 pub(crate) fn subset_count(n: usize, m: usize, k: usize) -> u64 {

@@ -30,6 +30,8 @@ pub struct Workspace {
     pub(crate) solver: Option<boxlp::Solver>,
     /// An objective of these.
     pub(crate) objective: Vec<f64>,
+    /// Tables of minors.
+    pub(crate) wedge: Option<crate::wedge::Wedge<f64>>,
     /// A constrained zonotope being changed, one to return to, and one lifted to a zonotope.
     pub(crate) draft: Option<crate::ConstrainedZonotope>,
     pub(crate) backup: Option<crate::ConstrainedZonotope>,

@@ -12,8 +12,9 @@ pub use policy::{ReduceAfter, ReductionPolicy};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, SetError, Strip};
 
-use crate::error::check_size;
-use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter, of_hull, of_propagation};
+use crate::set_filter::{
+    Equation, FilterState, Measured, Method, Phase, SetFilter, check_strips, of_hull, of_propagation,
+};
 use crate::{Culprit, EstimatorError, System};
 use scratch::Scratch;
 
@@ -168,11 +169,6 @@ impl Method for ConstrainedMethod {
     fn reduce(_: &System, options: &CzOptions, state: &mut State, scratch: &mut Scratch) -> Result<(), EstimatorError> {
         Ok(options.reduction.apply(&mut state.set, &mut scratch.bounds.sets)?)
     }
-}
-
-/// `Ok` if all strips lie in the space of the states.
-fn check_strips(n: usize, strips: &[Strip]) -> Result<(), EstimatorError> {
-    strips.iter().try_for_each(|strip| check_size("strip of feasible states", n, strip.dim()))
 }
 
 /// Cuts the set with the solutions of an equation, over its hull.

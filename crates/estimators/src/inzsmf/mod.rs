@@ -212,7 +212,9 @@ where
 }
 
 /// `Ok` if the affine map of the element is finite.
-fn check_element<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(element: &G) -> Result<(), EstimatorError> {
+pub(crate) fn check_element<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(
+    element: &G,
+) -> Result<(), EstimatorError> {
     check_finite("estimate", element.act_linear().as_slice())?;
     check_finite("estimate", element.act(&SVector::zeros()).as_slice())
 }

@@ -5,6 +5,8 @@ use std::fmt::Debug;
 use lie_groups::LieGroup;
 use nalgebra::{SMatrix, SVector};
 
+use crate::EstimatorError;
+
 mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Left {}
@@ -31,6 +33,14 @@ pub trait ErrorSide: sealed::Sealed + Copy + Debug + Default + Send + Sync + 'st
 
     /// The state with error `eps` from `estimate`; also how a correction is applied.
     fn apply<G, const N: usize, const D: usize>(estimate: &G, eps: &SVector<f64, N>) -> G
+    where
+        G: LieGroup<f64, N, D>;
+
+    /// The error of `state` about `estimate`, the inverse of [`apply`](Self::apply): `log(Xhat^-1 X)` or `log(X Xhat^-1)`.
+    ///
+    /// # Errors
+    /// Those of [`LieGroup::log`].
+    fn error<G, const N: usize, const D: usize>(estimate: &G, state: &G) -> Result<SVector<f64, N>, EstimatorError>
     where
         G: LieGroup<f64, N, D>;
 
@@ -76,6 +86,14 @@ impl ErrorSide for Left {
     }
 
     #[inline]
+    fn error<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(
+        estimate: &G,
+        state: &G,
+    ) -> Result<SVector<f64, N>, EstimatorError> {
+        Ok(estimate.inverse().compose(state).log()?)
+    }
+
+    #[inline]
     fn transport<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(
         correction: &SVector<f64, N>,
     ) -> SMatrix<f64, N, N> {
@@ -107,6 +125,14 @@ impl ErrorSide for Right {
     #[inline]
     fn apply<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(estimate: &G, eps: &SVector<f64, N>) -> G {
         G::exp(eps).compose(estimate)
+    }
+
+    #[inline]
+    fn error<G: LieGroup<f64, N, D>, const N: usize, const D: usize>(
+        estimate: &G,
+        state: &G,
+    ) -> Result<SVector<f64, N>, EstimatorError> {
+        Ok(state.compose(&estimate.inverse()).log()?)
     }
 
     #[inline]

@@ -2,11 +2,12 @@
 
 use nonlin_bounds::Conflict;
 use scalars::Interval;
-use setrep::Zonotope;
+use setrep::{Strip, Zonotope};
 
 use super::Measured;
+use crate::error::check_size;
 use crate::system::Relation;
-use crate::{Culprit, System};
+use crate::{Culprit, EstimatorError, System};
 
 /// A function, the values that it takes, and where they come from.
 #[derive(Clone, Copy)]
@@ -49,4 +50,9 @@ impl<'a> Equation<'a> {
             _ => (0..self.values.len()).map(self.culprit).collect(),
         }
     }
+}
+
+/// `Ok` if strips of feasible states lie in the space of `n` states.
+pub(crate) fn check_strips(n: usize, strips: &[Strip]) -> Result<(), EstimatorError> {
+    strips.iter().try_for_each(|strip| check_size("strip of feasible states", n, strip.dim()))
 }

@@ -1,13 +1,17 @@
 //! [`SetFilter`]: the shell of all set-valued filters of a [`System`]: what they check, keep and give back.
 
 mod contradiction;
+mod delayed;
 mod equation;
+mod faults;
 mod method;
 mod stacked;
 mod state;
 
 pub(crate) use contradiction::{inconsistent, of_hull, of_propagation};
-pub(crate) use equation::Equation;
+pub use delayed::DelayedFilter;
+pub(crate) use equation::{Equation, check_strips};
+pub use faults::{Fault, FaultPolicy, Inflate, Recovery};
 pub use method::{Measured, Method, Phase};
 use scalars::Interval;
 use setrep::SupportFunction;
@@ -98,15 +102,7 @@ impl<M: Method> SetFilter<M> {
     /// [`EstimatorError::Size`] if its parts are not of the system's dimension, [`EstimatorError::EmptyRange`] and
     /// [`EstimatorError::NotFinite`] if its hull is empty or unbounded; the filter is then unchanged.
     pub fn restore(&mut self, state: &FilterState<M::Set, M::Memory>) -> Result<(), EstimatorError> {
-        let n = self.system.states();
-        check_size("saved set", n, state.set.dim())?;
-        check_size("saved hull", n, state.hull.len())?;
-        if let Some(index) = state.hull.iter().position(Interval::is_empty) {
-            return Err(EstimatorError::EmptyRange { what: "saved hull", index });
-        }
-        if let Some(index) = state.hull.iter().position(|side| !side.is_bounded()) {
-            return Err(EstimatorError::NotFinite { what: "saved hull", index, value: state.hull[index].mag() });
-        }
+        state.check(self.system.states())?;
         M::check_memory(&self.system, &state.memory)?;
         self.state.clone_from(state);
         Ok(())

@@ -1,6 +1,10 @@
 //! [`FilterState`]: what a set-valued filter knows between calls.
 
 use scalars::Interval;
+use setrep::SupportFunction;
+
+use crate::EstimatorError;
+use crate::error::check_size;
 
 /// The set of states, its hull and what the method keeps: all that has to be saved to go on later.
 ///
@@ -29,5 +33,20 @@ impl<S: Clone, M: Clone> Clone for FilterState<S, M> {
         self.hull.clone_from(&source.hull);
         self.step = source.step;
         self.memory.clone_from(&source.memory);
+    }
+}
+
+impl<S: SupportFunction, M> FilterState<S, M> {
+    /// `Ok` if a filter of `n` states can go on from this set and hull.
+    pub(crate) fn check(&self, n: usize) -> Result<(), EstimatorError> {
+        check_size("saved set", n, self.set.dim())?;
+        check_size("saved hull", n, self.hull.len())?;
+        if let Some(index) = self.hull.iter().position(Interval::is_empty) {
+            return Err(EstimatorError::EmptyRange { what: "saved hull", index });
+        }
+        match self.hull.iter().position(|side| !side.is_bounded()) {
+            Some(index) => Err(EstimatorError::NotFinite { what: "saved hull", index, value: self.hull[index].mag() }),
+            None => Ok(()),
+        }
     }
 }

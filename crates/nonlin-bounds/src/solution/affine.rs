@@ -77,7 +77,7 @@ impl AffineEnclosure {
     ///
     /// # Errors
     /// [`BoundError::Dimension`], [`BoundError::EmptyInterval`] for an empty side of `Y`; [`SetError::EmptySet`] if an output is defined
-    /// nowhere on the box. The rows are then unchanged.
+    /// nowhere on the box, unless its side of `Y` is the whole line. The rows are then unchanged.
     ///
     /// ```
     /// use nonlin_bounds::{AffineEnclosure, Domain, Form, Function, Rows, Workspace};
@@ -106,7 +106,8 @@ impl AffineEnclosure {
         if let Some(index) = values.iter().position(Interval::is_empty) {
             return Err(BoundError::EmptyInterval { operand: Operand::Outputs, index });
         }
-        if self.offsets.iter().any(Interval::is_empty) {
+        // What has no value says nothing of the states unless a value was seen.
+        if self.offsets.iter().zip(values).any(|(offset, value)| offset.is_empty() && *value != Interval::ENTIRE) {
             return Err(SetError::EmptySet.into());
         }
         let says = |i: usize| -> Option<Interval> {

@@ -200,3 +200,20 @@ fn strips_of_outputs() {
     strip.enclose(&Rough, 2, &hull, 1, &[], Interval::ONE, &mut w).unwrap();
     assert_eq!((strip.direction(), strip.range()), (&[0.0][..], Interval::ENTIRE));
 }
+
+/// An output without values refutes what was seen of it, and says nothing where nothing was seen.
+#[test]
+fn rows_of_outputs_without_values() {
+    let (mut w, mut enclosure, mut rows) = (Workspace::new(), AffineEnclosure::new(), Rows::new());
+    let hull = [Interval::new(1.0, 2.0).unwrap()];
+    enclosure.enclose_where_possible(&Rough, &Domain::new(&hull, &[1.5]), &mut w).unwrap();
+    let mut values = [Interval::ENTIRE; 5];
+    enclosure.rows_into(1, &values, &mut rows).unwrap();
+    assert!(rows.ranges().is_empty());
+    values[3] = Interval::ONE;
+    enclosure.rows_into(1, &values, &mut rows).unwrap();
+    assert_eq!(rows.outputs(), [3]);
+    values[4] = Interval::ONE;
+    assert_eq!(enclosure.rows_into(1, &values, &mut rows), Err(SetError::EmptySet.into()));
+    assert_eq!(rows.outputs(), [3]);
+}

@@ -3,9 +3,11 @@
 // Helpers outside the test functions fail by panic as well.
 #![allow(clippy::unwrap_used)]
 
+mod batch_reactor;
 mod determinism;
 mod images;
 mod metrics;
 mod published;
 mod sound;
+mod vehicle_polar;
 mod wifibot;

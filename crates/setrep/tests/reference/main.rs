@@ -8,6 +8,7 @@ mod common;
 
 mod allocations;
 mod bad_input;
+mod candidate_volumes;
 mod known_sets;
 mod membership;
 mod reduction_size;

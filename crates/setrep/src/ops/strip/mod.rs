@@ -7,13 +7,15 @@
 //! < c + l (m - a'c), [(I - l a') G, sigma l], |I - l a'| r >.
 //! ```
 //!
-//! A rule chooses `l`, in plain floating point; whatever it chooses, the result holds. A file for the family, one for the rules.
+//! A rule chooses `l`, in plain floating point; whatever it chooses, the result holds. A file for the family, one for the rules, one for
+//! the volumes of the candidates.
 //!
 //! **Source:** Bravo, Alamo, Camacho 2006, *Bounded error identification of systems with time-varying parameters*; Alamo, Bravo, Camacho
 //! 2005, *Guaranteed state estimation by zonotopes*; paper 001, (34)-(41).
 
 mod member;
 mod rules;
+mod volumes;
 
 use scalars::Interval;
 
@@ -31,6 +33,10 @@ pub enum StripRule {
     /// `sigma^2 g_j'(G G')^-1 g_j / (a'g_j)^2`, so one factorisation serves all; flat sets are judged within their span.
     #[default]
     Determinant,
+    /// The least volume among the set itself and the same candidates; all volumes together cost about as much as one
+    /// ([`approx_candidate_volumes`](Zonotope::approx_candidate_volumes)). Flat sets, and sets with more than
+    /// [`MINOR_LIMIT`](crate::MINOR_LIMIT) minors or of more than 14 dimensions, are judged by `Determinant`.
+    Volume,
     /// The least F-radius among all weights, `l = P a / (a'P a + sigma^2)` with `P = G G' + diag(r)^2`: `ng` grows by 1.
     Segments,
 }
@@ -200,6 +206,7 @@ impl Zonotope {
         let columns = self.materialize_along(direction);
         let choice = match rule {
             StripRule::Determinant => self.least_determinant(direction, range.rad(), workspace),
+            StripRule::Volume => self.least_volume(direction, range.rad(), workspace),
             StripRule::Segments => self.least_segments(direction, range.rad(), workspace),
         };
         let result = match choice {

@@ -42,6 +42,33 @@ impl Zonotope {
         if !smaller {
             return Choice::Unchanged;
         }
+        self.candidate(j, a, weights)
+    }
+
+    /// The candidate of least volume, if one is below the set's own.
+    pub(super) fn least_volume(&self, a: &[f64], sigma: f64, workspace: &mut Workspace) -> Choice {
+        let total = match self.sum_minors(workspace) {
+            Ok(total) if total > 0.0 => total,
+            _ => return self.least_determinant(a, sigma, workspace),
+        };
+        let Workspace { coordinates: sums, scales: weights, .. } = workspace;
+        // The width of the strip is common to all.
+        let mut best: Option<(f64, usize)> = None;
+        for (j, (column, sum)) in self.generators.columns().zip(sums.iter()).enumerate() {
+            let share = sum / dot(a, column).abs();
+            // NaN and infinity are no candidates.
+            if share < best.map_or(f64::MAX, |(least, _)| least) {
+                best = Some((share, j));
+            }
+        }
+        match best {
+            Some((share, j)) if sigma * share < total => self.candidate(j, a, weights),
+            _ => Choice::Unchanged,
+        }
+    }
+
+    /// The weights of candidate `j`.
+    fn candidate(&self, j: usize, a: &[f64], weights: &mut Vec<f64>) -> Choice {
         let column = self.generators.col(j);
         let along = dot(a, column);
         weights.clear();
