@@ -2,7 +2,7 @@
 
 use scalars::Interval;
 use setrep::{
-    ConstrainedZonotope, HPolytope, SetError, SupportFunction, VPolytope, Workspace, Zonotope, ZonotopeBundle,
+    ConstrainedZonotope, HPolytope, Matrix, SetError, SupportFunction, VPolytope, Workspace, Zonotope, ZonotopeBundle,
 };
 
 /// Corners of a conversion that are one up to this share of the set's extents.

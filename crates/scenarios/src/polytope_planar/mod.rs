@@ -28,6 +28,9 @@ pub const TABLE_II: &PaperVolumes = &[
     ("comb", [0.3496, 0.5405, 0.5625, 0.4033, 0.2302]),
 ];
 
+/// Runs of the paper.
+pub const PAPER_RUNS: usize = 50;
+
 /// Seconds of Table II, averaged over `k = 1 ..= 4`.
 const SECONDS: [(&str, f64); 5] =
     [("rrsr", 0.9611), ("vh", 0.6732), ("d-zb", 3.4758), ("d-cz", 2.7642), ("comb", 7.1332)];

@@ -1,6 +1,6 @@
 //! The text of the report.
 
-use super::{Study, TABLE_II};
+use super::{PAPER_RUNS, Study, TABLE_II};
 use crate::polytopes::cost::{Cost, cost_list};
 use crate::polytopes::tables::{FACES, is_nowhere_larger, pivot, standard_errors};
 use crate::report::significant;
@@ -46,9 +46,10 @@ fn verdicts(studies: &[Study]) -> Vec<String> {
     let Some(study) = studies.iter().find(|study| study.reproduces()) else { return lines };
     for (method, printed) in TABLE_II {
         if let Some(cell) = study.cell(method) {
-            let errors: Vec<String> = standard_errors(cell, printed).iter().map(|e| format!("{e:+.1}")).collect();
+            let errors: Vec<String> =
+                standard_errors(cell, printed, PAPER_RUNS).iter().map(|e| format!("{e:+.1}")).collect();
             lines.push(format!(
-                "{method}: means are off the paper's by {} standard errors (`k = 0 .. 4`).",
+                "{method}: means are off the paper's by {} standard errors of the difference (`k = 0 .. 4`).",
                 errors.join(", ")
             ));
         }

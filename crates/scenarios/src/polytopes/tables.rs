@@ -47,13 +47,15 @@ pub fn pivot<'a>(rows: &'a [Row], table: &'a str) -> Table {
     Table::pivot(rows.iter().filter(move |row| row.table_name() == table))
 }
 
-/// The distance of each mean from the paper's number in standard errors of the mean, `k = 0 ..= 4`.
+/// The distance of each mean from the paper's, `k = 0 ..= 4`, in standard errors of the difference: the paper's number is a mean over
+/// `paper_runs` runs, which spread as ours do.
 #[must_use]
-pub fn standard_errors(cell: &Cell, printed: &[f64; 5]) -> Vec<f64> {
+pub fn standard_errors(cell: &Cell, printed: &[f64; 5], paper_runs: usize) -> Vec<f64> {
     let error = |(k, paper): (usize, &f64)| {
         let volumes = cell.at(0, k);
         let (mean, sd) = mean_and_sd(&volumes).unwrap_or((f64::NAN, None));
-        (mean - paper) / (sd.unwrap_or(f64::NAN) / (volumes.len() as f64).sqrt())
+        let runs = 1.0 / volumes.len() as f64 + 1.0 / paper_runs as f64;
+        (mean - paper) / (sd.unwrap_or(f64::NAN) * runs.sqrt())
     };
     printed.iter().enumerate().map(error).collect()
 }

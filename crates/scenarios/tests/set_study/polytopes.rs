@@ -1,7 +1,7 @@
 //! Paper 004: its tables, orders between its filters, containment.
 
 use scenarios::noise::NoiseKind;
-use scenarios::polytope_planar::{self, TABLE_II, plant::Form};
+use scenarios::polytope_planar::{self, PAPER_RUNS, TABLE_II, plant::Form};
 use scenarios::polytopes::sizes::study_sizes;
 use scenarios::polytopes::tables::{is_nowhere_larger, standard_errors};
 use scenarios::set_study::{Cell, End};
@@ -30,7 +30,7 @@ fn table_2_is_reproduced() -> Result<(), ScenarioError> {
     cells.iter().for_each(check);
     let find = |method: &str| cells.iter().find(|cell| cell.method == method).unwrap();
     for (method, printed) in TABLE_II.iter().filter(|(method, _)| ["vh", "rrsr", "comb"].contains(method)) {
-        let errors = standard_errors(find(method), printed);
+        let errors = standard_errors(find(method), printed, PAPER_RUNS);
         println!("{method}: {:.4?}, standard errors {errors:.2?}", find(method).curve(0));
         let steps = if *method == "rrsr" { 3 } else { 5 };
         assert!(errors[..steps].iter().all(|error| error.abs() <= 3.0), "{method}: {errors:?}");
