@@ -5,8 +5,8 @@ use std::fmt;
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Contradiction};
 
-use crate::{Guarantee, System};
 use crate::set_filter::Stacked;
+use crate::{Guarantee, System};
 
 /// What takes part in a contradiction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
