@@ -82,7 +82,8 @@ impl Real for DoubleDouble {
     const ONE: Self = Self { head: 1.0, tail: 0.0 };
     const FEASIBILITY: f64 = 1e-15;
     const CONTRADICTION: f64 = 1e-13;
-    const SMALL_PIVOT: f64 = 1e-14;
+    const NOISE: f64 = 1e-25;
+    const SMALL_PIVOT: f64 = 1e-20;
     const SURE_PIVOT: f64 = 1e-6;
     const ZERO_PIVOT: f64 = 1e-26;
     const REBUILD_PIVOT: f64 = 1e-20;

@@ -89,7 +89,8 @@ impl Workspace {
                         return Ending::Doubt;
                     }
                 }
-                violation.amount <= contradiction * norm
+                let share = if entering.rest > T::ZERO { contradiction } else { T::from(T::NOISE) };
+                violation.amount <= share * norm
             };
             match entering.column {
                 Some(column) if entering.stable || !tiny => {

@@ -27,6 +27,9 @@ pub(crate) trait Real:
     /// A row contradicts the others beyond doubt only if it misses by more than this share of its 1-norm after all flips.
     const CONTRADICTION: f64;
 
+    /// A violation below this share of a row's 1-norm may be a rounding error.
+    const NOISE: f64;
+
     /// A column enters with an entry below this share of the row's largest only if there is no other.
     const SMALL_PIVOT: f64;
 
@@ -59,6 +62,7 @@ impl Real for f64 {
     const ONE: Self = 1.0;
     const FEASIBILITY: f64 = 1e-13;
     const CONTRADICTION: f64 = 1e-9;
+    const NOISE: f64 = 1e-9;
     const SMALL_PIVOT: f64 = 1e-7;
     const SURE_PIVOT: f64 = 1e-3;
     const ZERO_PIVOT: f64 = 1e-13;
