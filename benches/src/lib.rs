@@ -13,7 +13,6 @@ pub mod growth;
 pub mod hulls;
 pub mod intervals;
 pub mod lp_peers;
-pub mod polytopes;
 pub mod sets;
 pub mod strips;
 pub mod timing;
@@ -36,6 +35,5 @@ pub fn all() -> Vec<Bench> {
     benches.extend(constrained::benches());
     benches.extend(contract::benches());
     benches.extend(filters::benches());
-    benches.extend(polytopes::benches());
     benches
 }

@@ -4,7 +4,6 @@
 #![allow(clippy::unwrap_used)]
 
 mod containment;
-mod polytopes;
 mod truth;
 
 use rand_chacha::ChaCha8Rng;
