@@ -1,4 +1,4 @@
-//! Set-valued filters on the examples of paper 003: truth contract, published numbers, containment, bars of our own filter.
+//! Set-valued filters on the examples of papers 003 and 004: truth contract, published numbers, containment, bars of our own filter.
 
 // Helpers outside the test functions fail by panic as well.
 #![allow(clippy::unwrap_used)]
