@@ -157,7 +157,7 @@ impl System {
     /// for k in 0..100 {
     ///     filter.step(&[], &[0.1 * f64::from(k)])?; // moving at speed 1
     /// }
-    /// assert!(filter.hull()[1].contains(1.0) && filter.hull()[1].rad() < 0.5);
+    /// assert!(filter.hull()[1].contains(1.0) && filter.hull()[1].rad() < 0.6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn linear(

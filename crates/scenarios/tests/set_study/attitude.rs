@@ -28,14 +28,15 @@ fn zonotope_columns_of_table_3() {
     let (trajectory, contenders) = (trajectory(PRINTED_NOISE, 200, 0), published(PRINTED_NOISE).unwrap());
     let methods = ["zmv", "zmv+f", "zfo", "zfo+f"];
     let all: Vec<Vec<f64>> = methods.iter().map(|method| radii(&trajectory, named(&contenders, method))).collect();
-    for (radii, expected) in [
-        (&all[0], &[(1, 0.1866), (10, 0.2949), (50, 0.380), (100, 0.740), (150, 1.18), (200, 1.90)][..]),
-        (&all[1], &[(10, 0.2787), (100, 0.678), (200, 1.68)]),
-        (&all[2], &[(10, 0.2876), (50, 0.287), (100, 0.452), (200, 0.640)]),
+    // The growth of ZFO hangs on how second derivatives of the quotient are written.
+    for (radii, tolerance, expected) in [
+        (&all[0], 0.015, &[(1, 0.1866), (10, 0.2949), (50, 0.380), (100, 0.740), (150, 1.18), (200, 1.90)][..]),
+        (&all[1], 0.015, &[(10, 0.2787), (100, 0.678), (200, 1.68)]),
+        (&all[2], 0.04, &[(10, 0.2876), (50, 0.287), (100, 0.452), (200, 0.640)]),
     ] {
         for &(k, expected) in expected {
             println!("k={k}: {:.4} ({expected})", radii[k]);
-            assert!((radii[k] / expected - 1.0).abs() < 0.025, "k={k}: {} instead of {expected}", radii[k]);
+            assert!((radii[k] / expected - 1.0).abs() < tolerance, "k={k}: {} instead of {expected}", radii[k]);
         }
     }
     for (i, over) in methods.iter().enumerate() {
