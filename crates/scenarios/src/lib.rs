@@ -27,6 +27,7 @@ pub mod region;
 pub mod report;
 pub mod results;
 pub mod set_study;
+pub mod tank_chain;
 pub mod truth;
 pub mod unicycle;
 pub mod vehicle;

@@ -52,7 +52,7 @@ const THIN: f64 = 1e-12;
 ///     filter.update(&[3.0])?;
 ///     filter.predict(&[])?;
 /// }
-/// assert!(filter.enclosure().volume()?.hi() < 0.08);
+/// assert!(filter.enclosure().volume()?.hi() < 0.25);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type Vh = SetFilter<VertexPolytopes>;
