@@ -110,9 +110,9 @@ pub struct CombOptions {
 }
 
 impl Default for CombOptions {
-    /// 60 half-spaces, 200 vertices.
+    /// 60 half-spaces, 64 vertices.
     fn default() -> Self {
-        Self { half_spaces: 60, vertices: 200 }
+        Self { half_spaces: 60, vertices: 64 }
     }
 }
 

@@ -100,10 +100,10 @@ impl VhCenter {
 }
 
 impl VhOptions {
-    /// As in paper 004: one pass. At most 200 vertices, where the paper has no limit.
+    /// As in paper 004: one pass. At most 64 vertices, where the paper has no limit.
     #[must_use]
     pub fn paper() -> Self {
-        Self { vertices: 200, passes: 1, least_shrink: 0.02, tight_range: false, center: VhCenter::VertexMean }
+        Self { vertices: 64, passes: 1, least_shrink: 0.02, tight_range: false, center: VhCenter::VertexMean }
     }
 
     /// Up to three passes, and the tight range.
