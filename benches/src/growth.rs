@@ -72,7 +72,7 @@ pub fn figure(sweeps: &[Sweep]) -> Figure {
 }
 
 /// Factor and exponent of the power law that fits best in logarithms.
-fn fit(points: &[(f64, f64)]) -> (f64, f64) {
+pub fn fit(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
     let (x, y) = logs.iter().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / count, b + y / count));

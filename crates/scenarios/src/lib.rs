@@ -2,7 +2,7 @@
 //!
 //! An [`Experiment`] is found in [`all`], is given a [`Context`] and hands back an [`Output`]: rows of numbers ([`results`]), a text
 //! ([`report`]), figures ([`figure`]) and curves ([`curve`]), all in memory. Random streams and parallel runs come from [`monte_carlo`];
-//! what experiments with set-valued filters share is in [`set_study`].
+//! what experiments with set-valued filters share is in [`set_study`], those of paper 004 in [`polytopes`].
 
 pub mod batch_reactor;
 pub mod contender;
@@ -20,12 +20,16 @@ pub mod inzsmf;
 pub mod metrics;
 pub mod monte_carlo;
 pub mod noise;
+pub mod polytope_planar;
+pub mod polytopes;
 pub mod published;
 pub mod region;
 pub mod report;
 pub mod results;
 pub mod set_study;
+pub mod tank_chain;
 pub mod truth;
+pub mod unicycle;
 pub mod vehicle;
 pub mod vehicle_polar;
 pub mod wifibot;

@@ -12,9 +12,7 @@ pub use policy::{ReduceAfter, ReductionPolicy};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, SetError, Strip};
 
-use crate::set_filter::{
-    Equation, FilterState, Measured, Method, Phase, SetFilter, check_strips, of_hull, of_propagation,
-};
+use crate::set_filter::{Equation, FilterState, Measured, Method, Phase, SetFilter, check_strips, of_hull, of_values};
 use crate::{Culprit, EstimatorError, System};
 use scratch::Scratch;
 
@@ -186,7 +184,7 @@ fn cut(
         // A function that is defined nowhere in the hull has no value there to be measured.
         Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => {
             let Scratch { bounds, culprits, .. } = scratch;
-            Err(of_propagation(state, &state.set, equation.culprits(None), culprits, &mut bounds.sets))
+            Err(of_values(state, &state.set, (equation, equation.culprits(None)), culprits, &mut bounds.sets))
         }
         result => result,
     }

@@ -5,7 +5,7 @@ use setrep::{Complexity, Strip};
 
 use super::policy::{ReduceAfter, ReductionPolicy};
 
-/// How functions are enclosed on a constrained zonotope.
+/// How functions are enclosed on a zonotope or a constrained zonotope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Extension {

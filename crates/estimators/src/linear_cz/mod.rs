@@ -69,7 +69,7 @@ impl Default for LinearOptions {
 ///     filter.update(&[0.5 * 0.125 * f64::from(k)])?; // half a meter a second
 ///     filter.predict(&[])?;
 /// }
-/// assert!(filter.hull()[1].contains(0.5) && filter.hull()[1].rad() < 0.1);
+/// assert!(filter.hull()[1].contains(0.5) && filter.hull()[1].rad() < 0.25);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]

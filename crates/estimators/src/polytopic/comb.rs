@@ -6,7 +6,7 @@ use scalars::Interval;
 use scalars::rounding::sub_down;
 use setrep::{HPolytope, SetError, VPolytope, Workspace};
 
-use super::forms::PolytopeForm;
+use super::forms::{PolytopeForm, materialized};
 use crate::error::check_size;
 use crate::set_filter::inconsistent;
 use crate::{Culprit, Estimator, EstimatorError, Evidence, Guarantee, Method, SetFilter};
@@ -180,8 +180,9 @@ impl Comb {
                 check_size(what, least, found)?;
             }
         }
-        let hull = initial.interval_hull().to_vec();
-        let mut comb = Self { members, options, set: initial, hull, step: 0, workspace: Workspace::new() };
+        let set = materialized(initial)?;
+        let hull = set.interval_hull().to_vec();
+        let mut comb = Self { members, options, set, hull, step: 0, workspace: Workspace::new() };
         comb.restart(0)?;
         Ok(comb)
     }

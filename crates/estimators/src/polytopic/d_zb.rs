@@ -31,7 +31,7 @@ use crate::{Culprit, EstimatorError, FilterState, Measured, Method, Phase, SetFi
 /// let start = Zonotope::from_box(&[1.0, 1.0], &[0.3, 0.3])?;
 /// let mut filter = DZb::new(system, start.into(), DZbOptions::new(2))?;
 /// filter.step(&[], &[1.0])?;
-/// assert!(filter.hull()[0].contains(1.5) && filter.hull()[0].width() < 0.7);
+/// assert!(filter.hull()[0].contains(1.5) && filter.hull()[0].width() < 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type DZb = SetFilter<DecomposedBundle>;

@@ -2,11 +2,35 @@
 
 use scalars::Interval;
 use setrep::{
-    ConstrainedZonotope, HPolytope, SetError, SupportFunction, VPolytope, Workspace, Zonotope, ZonotopeBundle,
+    ConstrainedZonotope, HPolytope, Matrix, SetError, SupportFunction, VPolytope, Workspace, Zonotope, ZonotopeBundle,
 };
 
 /// Corners of a conversion that are one up to this share of the set's extents.
 const THIN: f64 = 1e-12;
+
+/// A remainder beyond this share of the set's extent is not rounding.
+const MODEL_SIZE: f64 = 1e-6;
+
+/// The set with a remainder of model size turned into vertices, `conv V + [-r, r] = conv { v +- r }`; what is of rounding size stays.
+///
+/// # Errors
+/// [`SetError::OverBudget`] for too many corners, [`SetError::Overflow`].
+pub(super) fn materialized(set: VPolytope) -> Result<VPolytope, SetError> {
+    let hull = set.interval_hull();
+    let is_large = |k: usize| set.remainder()[k] > MODEL_SIZE * hull[k].width();
+    let (mut sides, mut rest) = (vec![Interval::ZERO; set.dim()], set.remainder().to_vec());
+    for k in (0..set.dim()).filter(|&k| is_large(k)) {
+        sides[k] = Interval::ZERO.inflate(core::mem::take(&mut rest[k]));
+    }
+    if sides.iter().all(|side| *side == Interval::ZERO) {
+        return Ok(set);
+    }
+    let n = set.dim();
+    let mut sum = Matrix::zeros(n, 2 * n);
+    (0..n).for_each(|k| (sum[(k, k)], sum[(k, n + k)]) = (1.0, 1.0));
+    let small = VPolytope::with_remainder(set.vertices().clone(), &rest)?;
+    Ok(small.cartesian_product(&VPolytope::from_intervals(&sides)?)?.linear_map(&sum)?.thinned(THIN))
+}
 
 /// A form of sets that holds polytopes, at least from outside.
 pub trait PolytopeForm: SupportFunction + Sized {

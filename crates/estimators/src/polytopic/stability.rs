@@ -30,7 +30,7 @@ pub enum WidthBound {
     /// As `|P| |C| >= |P C|`, the rows with `D_ii = 1` are never less than the others: the least is always `D = 0`, and the theorem does not see
     /// what measurements are good for.
     Printed,
-    /// For the expansion at the centers of the hulls, as [`Vh`](crate::Vh) does: `L(D) = (D (|P| R + |E|) + I - D) M`, any `D`.
+    /// For the expansion at the centers of the hulls, [`VhCenter::HullCenter`](crate::VhCenter::HullCenter): `L(D) = (D (|P| R + |E|) + I - D) M`, any `D`.
     ///
     /// The prediction has widths `Delta_f <= M Delta + const`, as `|v - p_0| <= Delta / 2`. In the update `C x` has widths of at most
     /// `R Delta_f + const`, the constant from the noise, and `x = P C x + E x`.
@@ -60,7 +60,7 @@ impl Stability {
 ///
 /// **Assumes** that both bounds hold on a region that contains every set of the filter, that noises and their Jacobians are bounded there,
 /// and that every output is measured at every step, additive noise included. Sets without a limit on their vertices; tighter updates
-/// (several passes, ranges) only make the widths less.
+/// (several passes, ranges) only make the widths less. The rounding of the filter, some ulp a step, is left out.
 ///
 /// **Guarantee:** `radius < 1` proves that the widths stay bounded. The bound is a Collatz-Wielandt quotient `max_i (L x)_i / x_i`, which is one
 /// for every positive `x`.

@@ -7,12 +7,12 @@ use nonlin_bounds::{
 };
 use scalars::Interval;
 use scalars::rounding::sub_down;
-use setrep::{Matrix, SetError, VPolytope, Zonotope};
+use setrep::{Matrix, SetError, VPolytope};
 
+use super::forms::materialized;
 use super::noise::beside;
 use crate::error::check_size;
-use crate::set_filter::inconsistent;
-use crate::system::Relation;
+use crate::set_filter::{Equation, inconsistent};
 use crate::{Culprit, EstimatorError, Evidence, FilterState, Measured, Method, Phase, SetFilter, System};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
@@ -20,7 +20,7 @@ const THIN: f64 = 1e-12;
 
 /// Guaranteed state estimation with polytopes in vertex form (V-H).
 ///
-/// - **Prediction.** Each vertex becomes the box `f(x_0) + [J] (v - x_0)` plus noise, `[J]` the range of the Jacobian over the hull of the set; the set is
+/// - **Prediction.** Each vertex becomes the box `f(x_0) + [J] (v - x_0)` plus noise, about a point `x_0` by [`VhOptions::center`] and with `[J]` the range of the Jacobian over the hull of the set; the set is
 ///   the hull of these boxes.
 /// - **Update.** With `x` a convex combination of the vertices, each bound of an output bounds the combination of its least values at
 ///   the vertices. This simplex of weights is cut along its edges, so no facets are needed: what the paper does by a conversion in
@@ -52,7 +52,7 @@ const THIN: f64 = 1e-12;
 ///     filter.update(&[3.0])?;
 ///     filter.predict(&[])?;
 /// }
-/// assert!(filter.enclosure().volume()?.hi() < 0.08);
+/// assert!(filter.enclosure().volume()?.hi() < 0.25);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type Vh = SetFilter<VertexPolytopes>;
@@ -74,13 +74,36 @@ pub struct VhOptions {
     pub least_shrink: f64,
     /// Cut the prediction with the range of the dynamics by [`RangeMethod::Tight`].
     pub tight_range: bool,
+    /// The points about which functions are expanded.
+    pub center: VhCenter,
+}
+
+/// The point of a set about which a [`Vh`] filter expands functions; any point is valid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum VhCenter {
+    /// The mean of the vertices, which lies inside of the set as paper 004 asks.
+    #[default]
+    VertexMean,
+    /// The middle of the interval hull, which makes `|v - x_0|` least coordinate by coordinate; [`WidthBound::Centered`](crate::WidthBound::Centered)
+    /// is for it.
+    HullCenter,
+}
+
+impl VhCenter {
+    fn expansion(self) -> Expansion<'static> {
+        match self {
+            Self::VertexMean => Expansion::SetCenter,
+            Self::HullCenter => Expansion::HullCenter,
+        }
+    }
 }
 
 impl VhOptions {
     /// As in paper 004: one pass. At most 200 vertices, where the paper has no limit.
     #[must_use]
     pub fn paper() -> Self {
-        Self { vertices: 200, passes: 1, least_shrink: 0.02, tight_range: false }
+        Self { vertices: 200, passes: 1, least_shrink: 0.02, tight_range: false, center: VhCenter::VertexMean }
     }
 
     /// Up to three passes, and the tight range.
@@ -118,6 +141,7 @@ impl Method for VertexPolytopes {
         if options.vertices < corners {
             check_size("vertex budget", corners, options.vertices)?;
         }
+        let set = materialized(set)?;
         let mut state = FilterState { set, hull: vec![Interval::ENTIRE; system.states()], step: 0, memory: () };
         settle(&mut state, options, scratch, &mut |_| {})?;
         Ok(state)
@@ -134,7 +158,7 @@ impl Method for VertexPolytopes {
         let VhScratch { bounds, noises, sides, .. } = scratch;
         let f = system.dynamics().function();
         let set = beside(&state.set, system.process_noise(), noises)?;
-        let mut image = polytopic_image_with_noise(f, &set, noises, Expansion::HullCenter, input, bounds)?;
+        let mut image = polytopic_image_with_noise(f, &set, noises, options.center.expansion(), input, bounds)?;
         if options.tight_range {
             let domain: Vec<Interval> = set.interval_hull().iter().chain(noises.iter()).copied().collect();
             sides.clear();
@@ -164,21 +188,12 @@ impl Method for VertexPolytopes {
         scratch.culprits.clear();
         for pass in 1..=options.passes.max(1) {
             let before = state.hull.clone();
-            if let Some(Measured { values, parameters }) = measured {
-                let equation = Equation {
-                    relation: system.measurement(),
-                    noise: Some(system.measurement_noise()),
-                    values,
-                    parameters,
-                    culprit: Culprit::Measurement,
-                };
-                equation.cut(options, state, scratch)?;
+            if let Some(measured) = measured {
+                cut(&Equation::measurement(system, measured), options, state, scratch)?;
                 trace(Phase::Update);
             }
-            if let Some(invariant) = system.invariant() {
-                let (relation, values) = (invariant.relation(), invariant.range());
-                let equation = Equation { relation, noise: None, values, parameters: &[], culprit: Culprit::Invariant };
-                equation.cut(options, state, scratch)?;
+            if let Some(invariant) = Equation::invariant(system) {
+                cut(&invariant, options, state, scratch)?;
                 trace(Phase::Consistency);
             }
             settle(state, options, scratch, trace)?;
@@ -200,53 +215,52 @@ impl Method for VertexPolytopes {
     }
 }
 
-/// A function and the values that it takes.
-struct Equation<'a> {
-    relation: &'a Relation,
-    noise: Option<&'a Zonotope>,
-    values: &'a [Interval],
-    parameters: &'a [Interval],
-    culprit: fn(usize) -> Culprit,
+/// Cuts a state, which is enclosed in a smaller one before where its vertices are too many to be cut.
+fn cut(
+    equation: &Equation<'_>,
+    options: &VhOptions,
+    state: &mut State,
+    scratch: &mut VhScratch,
+) -> Result<(), EstimatorError> {
+    match try_cut(equation, options, state, scratch) {
+        Err(EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. }))) => {
+            let few = (options.vertices / 4).max(1 << state.hull.len());
+            state.set = state.set.enclosed_within(few, &mut scratch.bounds.sets)?;
+            try_cut(equation, options, state, scratch)
+        }
+        result => result,
+    }
 }
 
-impl Equation<'_> {
-    /// Cuts a state, which is enclosed in a smaller one before where its vertices are too many to be cut.
-    fn cut(&self, options: &VhOptions, state: &mut State, scratch: &mut VhScratch) -> Result<(), EstimatorError> {
-        match self.try_cut(state, scratch) {
-            Err(EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. }))) => {
-                let few = (options.vertices / 4).max(1 << state.hull.len());
-                state.set = state.set.enclosed_within(few, &mut scratch.bounds.sets)?;
-                self.try_cut(state, scratch)
-            }
-            result => result,
+fn try_cut(
+    equation: &Equation<'_>,
+    options: &VhOptions,
+    state: &mut State,
+    scratch: &mut VhScratch,
+) -> Result<(), EstimatorError> {
+    let VhScratch { bounds, noises, culprits, .. } = scratch;
+    noises.clear();
+    let set = match equation.noise {
+        Some(noise) => beside(&state.set, noise, noises)?,
+        None => Cow::Borrowed(&state.set),
+    };
+    let (g, n, values) = (equation.relation.function(), state.hull.len(), equation.values);
+    let center = options.center.expansion();
+    match polytopic_strips(g, (&set, noises), values, center, equation.parameters, bounds)? {
+        PolytopicCut::Left(solution) if solution.dim() > n => {
+            let mut states = Matrix::zeros(n, solution.dim());
+            (0..n).for_each(|k| states[(k, k)] = 1.0);
+            state.set = solution.linear_map(&states)?.thinned(THIN);
+        }
+        PolytopicCut::Left(solution) => state.set = solution,
+        PolytopicCut::ProvenEmpty { output, reach } => {
+            culprits.extend((0..=output).map(equation.culprit));
+            let evidence = Evidence::Disjoint { predicted: reach, required: values[output] };
+            return Err(inconsistent(state.step, core::mem::take(culprits), evidence));
         }
     }
-
-    fn try_cut(&self, state: &mut State, scratch: &mut VhScratch) -> Result<(), EstimatorError> {
-        let VhScratch { bounds, noises, culprits, .. } = scratch;
-        noises.clear();
-        let set = match self.noise {
-            Some(noise) => beside(&state.set, noise, noises)?,
-            None => Cow::Borrowed(&state.set),
-        };
-        let (g, n) = (self.relation.function(), state.hull.len());
-        let cut = polytopic_strips(g, (&set, noises), self.values, Expansion::HullCenter, self.parameters, bounds)?;
-        match cut {
-            PolytopicCut::Left(solution) if solution.dim() > n => {
-                let mut states = Matrix::zeros(n, n + self.noise.map_or(0, Zonotope::dim));
-                (0..n).for_each(|k| states[(k, k)] = 1.0);
-                state.set = solution.linear_map(&states)?.thinned(THIN);
-            }
-            PolytopicCut::Left(solution) => state.set = solution,
-            PolytopicCut::ProvenEmpty { output, reach } => {
-                culprits.extend((0..=output).map(self.culprit));
-                let evidence = Evidence::Disjoint { predicted: reach, required: self.values[output] };
-                return Err(inconsistent(state.step, core::mem::take(culprits), evidence));
-            }
-        }
-        culprits.extend((0..self.values.len()).map(self.culprit));
-        Ok(())
-    }
+    culprits.extend(equation.culprits(None));
+    Ok(())
 }
 
 /// The part of a set in a box.

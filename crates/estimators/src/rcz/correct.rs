@@ -7,14 +7,15 @@ use setrep::{ConstrainedZonotope, SetError};
 use super::options::RczOptions;
 use super::scratch::Scratch;
 use super::state::{RczState, cut_hull};
-use crate::set_filter::{Equation, of_hull, of_propagation, store};
+use crate::set_filter::{Equation, of_hull, of_values, store};
 use crate::{Culprit, EstimatorError};
 
 /// Cuts a state with equations, all of them together.
 ///
 /// Up to `options.passes` times: propagate the hull through the tapes; enclose the functions by affine ones with remainders on
 /// the hull; cut the **predicted** set with their rows, which replace those of the pass before; take the hull of the result. Rows made
-/// over a hull hold for every consistent state, since all of these lie in it, so each pass may use the hull of the last.
+/// over a hull hold for every consistent state, since all of these lie in it, so each pass may use the hull of the last. Passes end when
+/// they gain too little: for linear functions, whose rows do not depend on the hull, before the second hull.
 pub(super) fn correct(
     equations: &[Equation<'_>],
     options: &RczOptions,
@@ -33,6 +34,11 @@ pub(super) fn correct(
     result
 }
 
+/// Share of [`RczOptions::least_shrink`] by which some row has to get narrower for another hull.
+///
+/// A hull may shrink by more than the rows that bound it, where they meet at a sharp angle.
+const ROW_SHARE: f64 = 0.25;
+
 fn passes(
     equations: &[Equation<'_>],
     options: &RczOptions,
@@ -41,15 +47,20 @@ fn passes(
     state: &mut RczState,
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
+    scratch.widths.clear();
     for pass in 1..=options.passes.max(1) {
         let mut before = core::mem::take(&mut scratch.before);
         before.clone_from(&state.hull);
-        let result = one_pass(equations, options, base, trial, state, scratch);
+        let mut result = cut(equations, options, base, trial, state, scratch);
+        let worth_it = pass == 1 || rows_narrowed(trial, base, ROW_SHARE * options.least_shrink, &scratch.widths);
+        if result.is_ok() && worth_it {
+            result = shrink(options, base, trial, state, scratch);
+        }
         let shrunk = |(new, old): (&Interval, &Interval)| new.rad() <= (1.0 - options.least_shrink) * old.rad();
-        let go_on = state.hull.iter().zip(&before).any(shrunk);
+        let go_on = worth_it && state.hull.iter().zip(&before).any(shrunk);
         scratch.before = before;
         result?;
-        if !go_on || pass == options.passes {
+        if !go_on {
             break;
         }
     }
@@ -57,8 +68,15 @@ fn passes(
     Ok(())
 }
 
-/// One pass over the hull of the state, which becomes that of `trial`.
-fn one_pass(
+/// Whether some new row is narrower by a share than that of the last pass, or there are others.
+fn rows_narrowed(trial: &ConstrainedZonotope, base: &ConstrainedZonotope, share: f64, widths: &[f64]) -> bool {
+    let rows = &trial.ranges()[base.num_constraints()..];
+    let narrower = |(row, width): (&Interval, &f64)| row.width() <= (1.0 - share) * width;
+    rows.len() != widths.len() || rows.iter().zip(widths).any(narrower)
+}
+
+/// Contracts the hull of the state and cuts `base` with the rows over it, which gives `trial`.
+fn cut(
     equations: &[Equation<'_>],
     options: &RczOptions,
     base: &ConstrainedZonotope,
@@ -69,7 +87,7 @@ fn one_pass(
     let mut conflict = None;
     for equation in equations {
         if let Some(found) = equation.contract(options.contraction, &mut state.hull, scratch)? {
-            conflict = Some(equation.culprits(Some(found)));
+            conflict = Some((equation, equation.culprits(Some(found))));
             break;
         }
     }
@@ -83,15 +101,30 @@ fn one_pass(
             // What is already refuted need not be enclosed.
             Err(_) if conflict.is_some() => {}
             // A function that is defined nowhere in the box has no value there to be measured.
-            Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => conflict = Some(equation.culprits(None)),
+            Err(EstimatorError::Bound(BoundError::Set(SetError::EmptySet))) => {
+                conflict = Some((equation, equation.culprits(None)));
+            }
             Err(error) => return Err(error),
         }
     }
-    let Scratch { bounds, own, culprits, .. } = scratch;
-    if let Some(conflict) = conflict {
-        return Err(of_propagation(state, trial, conflict, culprits, &mut bounds.sets));
+    let Scratch { bounds, culprits, .. } = scratch;
+    match conflict {
+        Some(conflict) => Err(of_values(state, trial, conflict, culprits, &mut bounds.sets)),
+        None => Ok(()),
     }
-    let held = &mut scratch.held;
+}
+
+/// Cuts the hull of the state with that of `trial`, and notes how wide its new rows are.
+fn shrink(
+    options: &RczOptions,
+    base: &ConstrainedZonotope,
+    trial: &mut ConstrainedZonotope,
+    state: &mut RczState,
+    scratch: &mut Scratch,
+) -> Result<(), EstimatorError> {
+    let Scratch { bounds, own, held, culprits, widths, .. } = scratch;
+    widths.clear();
+    widths.extend(trial.ranges()[base.num_constraints()..].iter().map(Interval::width));
     held.clone_from(&state.hull);
     cut_hull(trial, &mut state.hull, own, options, &mut bounds.sets)?;
     if state.hull.iter().any(Interval::is_empty) {

@@ -6,7 +6,7 @@ use setrep::{ConstrainedZonotope, Zonotope};
 
 use super::scratch::Scratch;
 use crate::EstimatorError;
-use crate::set_filter::{Equation, is_box, store};
+use crate::set_filter::{Equation, is_box};
 
 /// What [`Rcz`](crate::Rcz) does with an equation.
 impl Equation<'_> {
@@ -48,8 +48,9 @@ impl Equation<'_> {
         directions.push_rows(rows.directions())?;
         if let Some(noise) = self.noise.filter(|noise| !is_box(noise)) {
             // Noises that mix the outputs are generators of the cut; that needs every output to be bounded.
-            let noise = store(storage, &ConstrainedZonotope::from(noise.clone()));
-            match enclosure.intersect_with_noise(set, self.values, noise, bounds) {
+            let generators = storage.get_or_insert_with(|| ConstrainedZonotope::from(noise.clone()));
+            generators.assign_zonotope(noise);
+            match enclosure.intersect_with_noise(set, self.values, generators, bounds) {
                 Err(BoundError::UnboundedResult { .. }) => {}
                 result => {
                     culprits.extend((0..self.values.len()).map(self.culprit));

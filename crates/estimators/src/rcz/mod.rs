@@ -26,7 +26,7 @@ use scratch::Scratch;
 /// - **Reduction.** LP re-encoding ([`ConstrainedZonotope::reencode`]) before a prediction, every step or every few, and before an update
 ///   if many have come without a prediction.
 ///
-/// A step in steady state allocates nothing, unless the measurement noise mixes the outputs (its generators are then copied).
+/// A step in steady state allocates nothing.
 ///
 /// **Guarantee:** rigorous, as [`SetFilter`] says.
 /// **Source:** ours; parts are those of paper 003 (Propositions 2 and 4 in the form with ranges, Section 4.4).

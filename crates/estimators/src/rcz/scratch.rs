@@ -28,4 +28,6 @@ pub struct Scratch {
     /// What each row of the trial comes from, and the directions of its new rows.
     pub(super) culprits: Vec<Culprit>,
     pub(super) directions: Directions,
+    /// Widths of the ranges of the new rows of the last pass.
+    pub(super) widths: Vec<f64>,
 }

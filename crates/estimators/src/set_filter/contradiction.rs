@@ -3,7 +3,7 @@
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Emptiness, Workspace};
 
-use super::FilterState;
+use super::{Equation, FilterState};
 use crate::{Culprit, EstimatorError, Evidence, Inconsistency};
 
 /// A set whose own hull has no point in common with the box that the state is `held` in.
@@ -25,17 +25,24 @@ pub(crate) fn of_hull(
     })
 }
 
-/// A box of states over which propagation found a conflict between `culprits`. The rows over that box often show it as well, with
-/// multipliers.
-pub(crate) fn of_propagation<M>(
+/// A box of states over which an equation has no solution, as its outputs `culprits` show. The rows over that box often show it as
+/// well, with multipliers.
+pub(crate) fn of_values<M>(
     state: &FilterState<ConstrainedZonotope, M>,
     set: &ConstrainedZonotope,
-    culprits: Vec<Culprit>,
+    (equation, culprits): (&Equation<'_>, Vec<Culprit>),
     rows: &[Culprit],
     workspace: &mut Workspace,
 ) -> EstimatorError {
-    by_rows(state.step, set, rows, workspace)
-        .unwrap_or_else(|| inconsistent(state.step, culprits, Evidence::Propagation { hull: state.hull.clone() }))
+    by_rows(state.step, set, rows, workspace).unwrap_or_else(|| {
+        let evidence = Evidence::Values {
+            hull: state.hull.clone(),
+            invariant: equation.noise.is_none(),
+            required: equation.values.to_vec(),
+            parameters: equation.parameters.to_vec(),
+        };
+        inconsistent(state.step, culprits, evidence)
+    })
 }
 
 /// The proof by multipliers, if there is one.

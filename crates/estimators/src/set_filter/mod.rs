@@ -8,7 +8,7 @@ mod method;
 mod stacked;
 mod state;
 
-pub(crate) use contradiction::{inconsistent, of_hull, of_propagation};
+pub(crate) use contradiction::{inconsistent, of_hull, of_values};
 pub use delayed::DelayedFilter;
 pub(crate) use equation::{Equation, check_strips};
 pub use faults::{Fault, FaultPolicy, Inflate, Recovery};

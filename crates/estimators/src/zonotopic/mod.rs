@@ -28,8 +28,8 @@ use scratch::Scratch;
 /// - **Reduction** once, at the end of an update.
 ///
 /// The strips of the paper hardly ever cut, so that its ZMV and ZFO are little more than predictions, and diverge where the filters with
-/// constrained zonotopes do not. With [`with_rows`](ZonotopeOptions::with_rows) they follow what is measured, at a fraction of the time of
-/// filters that solve linear programs. For the tightest sets take [`Rcz`](crate::Rcz).
+/// constrained zonotopes do not. With [`with_rows`](ZonotopeOptions::with_rows) they follow what is measured, without linear
+/// programs. For the tightest sets take [`Rcz`](crate::Rcz).
 ///
 /// **Guarantee:** [`Guarantee::Rigorous`](crate::Guarantee::Rigorous).
 /// **Source:** Alamo, Bravo, Camacho 2005 (mean value prediction, strips); Combastel 2005 (prediction by Taylor's theorem); Bravo, Alamo,

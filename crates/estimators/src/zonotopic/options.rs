@@ -25,7 +25,7 @@ pub enum StripForm {
 /// | ZMV+F, ZFO+F | [`feasible`](Self::feasible) given |
 #[derive(Debug, Clone, PartialEq)]
 pub struct ZonotopeOptions {
-    /// How the dynamics are enclosed in a prediction. Without `C1` (or `C2`, for the first order) on the hull there is none.
+    /// How the dynamics are enclosed in a prediction, which needs `C1` on the hull.
     pub extension: Extension,
     /// How outputs of the measurement and of the invariant become strips.
     pub strips: StripForm,

@@ -21,6 +21,8 @@ pub struct Scratch {
     /// The direction of a strip.
     pub(super) direction: Vec<f64>,
     pub(super) stacked: Stacked,
+    /// The set with the noises.
+    pub(super) product: Option<Zonotope>,
     /// The hull of a set.
     pub(super) own: Vec<Interval>,
 }

@@ -82,7 +82,7 @@ impl ZfOptions {
 /// let pressure = function!(|[a, b, v]: 3| -> 1 { [a + b + v] });
 /// let (w, v) = (Zonotope::from_box(&[0.0], &[1e-5])?, Zonotope::from_box(&[0.0], &[0.3])?);
 /// let system = System::new(Relation::new(reaction), w, Relation::new(pressure), v)?;
-/// let mut filter = Zf::new(system, Zonotope::from_box(&[2.5, 1.5], &[1.2, 1.2])?, ZfOptions::new(14))?;
+/// let mut filter = Zf::new(system, Zonotope::from_box(&[2.5, 1.5], &[0.5, 0.5])?, ZfOptions::new(14))?;
 /// let (mut a, mut b) = (3.0, 1.0);
 /// for _ in 0..300 {
 ///     filter.step(&[], &[a + b])?;

@@ -42,6 +42,19 @@ fn flat_starts_are_followed() {
     }
 }
 
+/// A box kept in the remainder, as of a zonotope without generators, is one by its corners: the measurement cuts it.
+#[test]
+fn a_start_with_a_remainder_of_model_size_is_cut() {
+    let example = unicycle(1.0, 1.0);
+    let start = example.start.to_v_polytope().unwrap();
+    assert!(start.num_vertices() == 1 && start.remainder()[2] > 0.19);
+    let mut filter = Vh::new(example.system.clone(), start, VhOptions::paper()).unwrap();
+    assert_eq!(filter.enclosure().num_vertices(), 8);
+    filter.update(&example.run(Draw::Uniform, 0, &mut Random::new(6))[0].1).unwrap();
+    let (before, after) = (3.2e-4, filter.enclosure().volume().unwrap().mid());
+    assert!(after < 0.2 * before, "{after:e}");
+}
+
 /// Without process noise vertices multiply from step to step; the budget holds, and no state is lost.
 #[test]
 fn the_vertex_budget_holds() {

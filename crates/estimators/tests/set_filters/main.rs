@@ -2,12 +2,18 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap is a failed test")]
 
+mod bad_input;
 mod constrained;
 mod delayed;
+mod endurance;
 mod faults;
 mod linear;
+mod outliers;
 mod plants;
+mod polynomials;
 mod rcz;
+mod sharpness;
+mod skew_noise;
 #[path = "../support/mod.rs"]
 mod support;
 mod zf;

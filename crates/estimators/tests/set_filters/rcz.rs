@@ -153,6 +153,7 @@ fn a_measurement_of_what_is_undefined_is_a_contradiction() {
         let before = filter.state().clone();
         let Err(EstimatorError::Inconsistent(proof)) = filter.update(&[1.0]) else { panic!("no contradiction") };
         assert_eq!(proof.culprits, [Culprit::Measurement(0), Culprit::Prediction]);
+        assert!(proof.verify_with(filter.system()));
         assert_eq!(filter.state(), &before);
     }
 }

@@ -3,7 +3,7 @@
 use estimators::{
     Culprit, Estimator, EstimatorError, Evidence, Guarantee, Phase, Relation, System, ZonotopeFilter, ZonotopeOptions,
 };
-use nonlin_bounds::{Function, function};
+use nonlin_bounds::{BoundError, DynFunction, Function, Jet, Order, function};
 use scalars::{Interval, Scalar};
 use setrep::{Matrix, Membership, SetError, Strip, StripRule, Zonotope};
 
@@ -317,6 +317,54 @@ fn bad_input_is_refused_and_missing_outputs_say_nothing() {
     filter.update_traced(&[Some(1.1), None], &[], &mut |phase| phases.push(phase)).unwrap();
     filter.predict_traced(&[], &mut |phase| phases.push(phase)).unwrap();
     assert_eq!(phases, [Phase::Update, Phase::Consistency, Phase::Reduction, Phase::Prediction]);
+}
+
+/// A function whose Hessians are not known.
+struct WithoutHessians<F>(F);
+
+impl<F: Function> DynFunction for WithoutHessians<F> {
+    fn variables(&self) -> usize {
+        Function::variables(&self.0)
+    }
+    fn parameters(&self) -> usize {
+        Function::parameters(&self.0)
+    }
+    fn outputs(&self) -> usize {
+        Function::outputs(&self.0)
+    }
+    fn value(&self, x: &[f64], p: &[f64], y: &mut [f64]) -> Result<(), BoundError> {
+        DynFunction::value(&self.0, x, p, y)
+    }
+    fn enclose(&self, order: Order, x: &[Interval], p: &[Interval], jet: &mut Jet) -> Result<(), BoundError> {
+        if order == Order::Hessian {
+            return Err(BoundError::OrderNotAvailable { order: 2 });
+        }
+        self.0.enclose(order, x, p, jet)
+    }
+}
+
+/// Without Hessians the first order goes by the mean value theorem; `|x|` goes by neither.
+#[test]
+fn dynamics_that_are_not_smooth_fall_back_or_are_refused() {
+    let bent = function!(|[x, y, w]: 3| -> 2 { [x.sqr().scale(0.25) + w, y.scale(0.5) + x.scale(0.125)] });
+    let kinked = function!(|[x, y, w]: 3| -> 2 { [x.abs().scale(0.25) + w, y] });
+    let predict = |dynamics: Relation, options| {
+        let mut system = turning();
+        system.set_dynamics(dynamics, cube(1, 0.01)).unwrap();
+        let mut filter = ZonotopeFilter::new(system, cube(2, 1.0), options).unwrap();
+        let before = filter.state().clone();
+        let result = filter.predict(&[]);
+        assert_eq!(result.is_err(), filter.state() == &before);
+        result.map(|()| filter.state().set.clone())
+    };
+    let by_mean_value = predict(Relation::new(bent), ZonotopeOptions::zmv(8)).unwrap();
+    assert_ne!(predict(Relation::new(bent), ZonotopeOptions::zfo(8)).as_ref(), Ok(&by_mean_value));
+    let bent = Relation::from_bounds(WithoutHessians(bent));
+    assert_eq!(predict(bent, ZonotopeOptions::zfo(8)), Ok(by_mean_value));
+    for options in [ZonotopeOptions::zmv(8), ZonotopeOptions::zfo(8)] {
+        let refused = predict(Relation::new(kinked), options).unwrap_err();
+        assert!(matches!(refused, EstimatorError::Bound(BoundError::NotSmooth { output: 0, .. })), "{refused}");
+    }
 }
 
 #[test]

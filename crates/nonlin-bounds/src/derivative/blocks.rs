@@ -14,6 +14,8 @@ use crate::{BoundError, Function, Jet, Operand, Order, Smoothness};
 pub(crate) trait Pass: Scalar {
     /// Most variables of a pass.
     const WIDTH: usize;
+    /// Whether the type has second derivatives.
+    const HAS_SECOND: bool = false;
     /// The buffer for numbers of this type.
     fn buffer(scratch: &mut Scratch) -> &mut Vec<Self>;
     /// A number of this range; the variable of a position, if one is given.
@@ -119,9 +121,10 @@ impl Pass for Decorated {
 }
 
 macro_rules! passes {
-    ($($type:ty, $width:literal, $buffer:ident, $second:expr;)*) => {$(
+    ($($type:ty, $width:literal, $buffer:ident, $has_second:literal, $second:expr;)*) => {$(
         impl Pass for $type {
             const WIDTH: usize = $width;
+            const HAS_SECOND: bool = $has_second;
             fn buffer(scratch: &mut Scratch) -> &mut Vec<Self> {
                 &mut scratch.$buffer
             }
@@ -145,12 +148,12 @@ macro_rules! passes {
     )*};
 }
 passes! {
-    Dual<Interval, 2, Decorated>, 2, dual2, |_, _, _| Interval::ENTIRE;
-    Dual<Interval, 4, Decorated>, 4, dual4, |_, _, _| Interval::ENTIRE;
-    Dual<Interval, 8, Decorated>, 8, dual8, |_, _, _| Interval::ENTIRE;
-    Second<Interval, 2, 3, Decorated>, 2, second2, |x, i, j| x.hessian()[packed(2, i, j)];
-    Second<Interval, 4, 10, Decorated>, 4, second4, |x, i, j| x.hessian()[packed(4, i, j)];
-    Second<Interval, 8, 36, Decorated>, 8, second8, |x, i, j| x.hessian()[packed(8, i, j)];
+    Dual<Interval, 2, Decorated>, 2, dual2, false, |_, _, _| Interval::ENTIRE;
+    Dual<Interval, 4, Decorated>, 4, dual4, false, |_, _, _| Interval::ENTIRE;
+    Dual<Interval, 8, Decorated>, 8, dual8, false, |_, _, _| Interval::ENTIRE;
+    Second<Interval, 2, 3, Decorated>, 2, second2, true, |x, i, j| x.hessian()[packed(2, i, j)];
+    Second<Interval, 4, 10, Decorated>, 4, second4, true, |x, i, j| x.hessian()[packed(4, i, j)];
+    Second<Interval, 8, 36, Decorated>, 8, second8, true, |x, i, j| x.hessian()[packed(8, i, j)];
 }
 
 /// The body of [`DynFunction::enclose`](crate::DynFunction::enclose) for a [`Function`].
@@ -211,19 +214,27 @@ fn hessians<E: Evaluate<D>, D: Pass>(f: &E, x: &[Interval], p: &[Interval], jet:
         let width = fill(&mut block, 0..n, 0);
         return pass::<E, D>(f, x, p, &block[..width], jet);
     }
-    let half = D::WIDTH / 2;
-    for low in (0..n).step_by(half) {
-        for high in (low + half..n).step_by(half) {
-            let width = fill(&mut block, low..low + half, 0);
-            let width = fill(&mut block, high..n.min(high + half), width);
-            pass::<E, D>(f, x, p, &block[..width], jet)?;
+    for pair in block_pairs(n, D::WIDTH) {
+        let mut width = 0;
+        for index in pair {
+            block[width] = index;
+            width += 1;
         }
+        pass::<E, D>(f, x, p, &block[..width], jet)?;
     }
     Ok(())
 }
 
+/// All pairs of blocks of `width / 2` of more than `width / 2` variables, the indices of each pair in ascending order.
+pub(super) fn block_pairs(n: usize, width: usize) -> impl Iterator<Item = impl Iterator<Item = usize>> {
+    let half = width / 2;
+    (0..n).step_by(half).flat_map(move |low| {
+        (low + half..n).step_by(half).map(move |high| (low..low + half).chain(high..n.min(high + half)))
+    })
+}
+
 /// Evaluates with derivatives by the variables of `block`, in ascending order, and stores all that is found.
-fn pass<E: Evaluate<D>, D: Pass>(
+pub(super) fn pass<E: Evaluate<D>, D: Pass>(
     f: &E,
     x: &[Interval],
     p: &[Interval],
@@ -266,7 +277,7 @@ fn store<D: Pass>(outputs: &[D], n: usize, block: &[usize], jet: &mut Jet) {
             let known = value.smoothness() >= Smoothness::C1 || !y.depends_on(position);
             row[index] = if known { y.first(position) } else { Interval::ENTIRE };
         }
-        if hessians.is_empty() {
+        if hessians.is_empty() || !D::HAS_SECOND {
             continue;
         }
         let hessian = &mut hessians[output * entries..][..entries];

@@ -1,10 +1,12 @@
 //! [`Tape`]: a function as data, recorded by running it once on symbols.
 //!
 //! Reading order: `node` (one operation), `recorder` (each operation once, in a simple form), `symbol` (the scalar that records),
-//! `compile` (dead code out, slots in order), `evaluate` (over any scalar), `adjoint` (reverse mode), `display` (formulas).
+//! `compile` (dead code out, slots in order), `evaluate` (over any scalar), `adjoint` (reverse mode), `curvature` (which
+//! second derivatives are zero), `display` (formulas).
 
 mod adjoint;
 mod compile;
+mod curvature;
 mod display;
 mod evaluate;
 pub(crate) mod node;
@@ -16,6 +18,7 @@ use scalars::{Interval, Scalar};
 
 use crate::Function;
 pub(crate) use adjoint::Buffers as AdjointBuffers;
+pub(crate) use curvature::Curvature;
 pub(crate) use evaluate::sine_with_cosine;
 use node::Node;
 use symbol::{Recording, Symbol};
@@ -90,6 +93,11 @@ impl Tape {
     #[must_use]
     pub fn slots(&self) -> usize {
         self.first_node() + self.nodes.len()
+    }
+
+    /// Which second derivatives are zero.
+    pub(crate) fn curvature(&self) -> Curvature {
+        Curvature::of(self)
     }
 
     /// Slot of the first operation.

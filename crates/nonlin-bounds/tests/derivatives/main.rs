@@ -9,3 +9,4 @@ mod exact;
 mod examples;
 mod peer;
 mod smooth;
+mod structured;

@@ -43,7 +43,8 @@ impl Function for Reaction {
     }
     fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) {
         let field = function!(|[x1, x2]: 2| -> 2 {
-            let net = S::decimal("0.16") * x1.sqr() - S::decimal("0.0064") * x2;
+            // 0.16 / (min atm) and 0.0064 / min.
+            let net = S::ratio(4, 25) * x1.sqr() - S::ratio(4, 625) * x2;
             [net.scale(-2.0), net]
         });
         let step = match self.0 {

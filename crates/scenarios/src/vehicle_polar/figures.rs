@@ -31,7 +31,7 @@ pub fn figure_2(truth: &Truth, courses: &[Named<'_>]) -> Figure {
     let title = "Errors with confidence intervals and hulls, one run (paper: Figure 2)";
     Figure::new("figure-2", title, 2)
         .with(panel("(a) x1", 0, "m", courses).y_range(-60.0, 60.0))
-        .with(panel("(b) x4", 3, "m/s", courses).y_range(-8.0, 8.0))
+        .with(panel("(b) x4", 3, "m/s", courses).y_range(-12.0, 12.0))
         .with(panel("(a) x1, without the set", 0, "m", statistical))
         .with(panel("(b) x4, without the set", 3, "m/s", statistical).y_range(-1.5, 1.5))
 }

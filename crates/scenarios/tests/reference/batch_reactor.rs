@@ -62,7 +62,7 @@ fn table_1_and_half_widths() {
 /// smaller.
 #[test]
 fn with_bounded_noise_the_truth_is_never_lost() {
-    let cells = cells(Noise::Truncated, 50, &[named("zf"), named("zf/tightened")]);
+    let cells = cells(Noise::Truncated, 20, &[named("zf"), named("zf/tightened")]);
     for cell in &cells {
         for run in &cell.runs {
             assert_eq!((run.held, run.watched, run.refuted, run.diverged), (STEPS, STEPS, 0, None), "{}", cell.method);

@@ -9,5 +9,6 @@ mod images;
 mod metrics;
 mod published;
 mod sound;
+mod tank_chain;
 mod vehicle_polar;
 mod wifibot;

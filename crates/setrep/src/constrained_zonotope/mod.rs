@@ -151,6 +151,15 @@ impl ConstrainedZonotope {
         self.constrain(constraints, ranges)
     }
 
+    /// Overwrites the set by a zonotope; allocates nothing within capacity.
+    ///
+    /// **Guarantee:** exact.
+    pub fn assign_zonotope(&mut self, body: &Zonotope) {
+        self.body.clone_from(body);
+        self.constraints.reset(0, body.num_generators());
+        self.ranges.clear();
+    }
+
     /// `Ok` if these are constraints of a set with so many generators.
     fn check_constraints(columns: usize, constraints: &Matrix, ranges: &[Interval]) -> Result<(), SetError> {
         // A matrix without rows need not say how many columns it has not.
