@@ -1,7 +1,8 @@
 //! `CzFilter`: radii of paper 003's examples, containment with uniform noise and noise at its bounds, options, proofs of faults.
 
 use estimators::{
-    Culprit, CzFilter, CzOptions, Estimator, EstimatorError, Evidence, Guarantee, Inclusion, Phase, Relation, System,
+    Culprit, CzFilter, CzOptions, Estimator, EstimatorError, Evidence, Guarantee, Inclusion, Phase, Rcz, RczOptions,
+    Relation, System,
 };
 use nonlin_bounds::{Copies, function};
 use scalars::Interval;
