@@ -73,7 +73,7 @@ fn example_2_has_the_magnitude_of_table_3() -> Result<(), ScenarioError> {
         let simulate = |rng: &mut _| unicycle::plant::simulate(setting.is_noisy, setting.kind, unicycle::STEPS, rng);
         for cell in study_sizes(&Context::new(1), "unicycle test", 4, simulate, contenders)? {
             check(&cell);
-            println!("{} {}: {:.3e?}", setting.label(), cell.method, cell.curve(0));
+            println!("{} {}: {:?}", setting.label(), cell.method, cell.curve(0));
             assert!(cell.curve(0).iter().all(|volume| (1e-7..2e-4).contains(volume)), "{}", cell.method);
             if cell.method == "vh" {
                 assert!(cell.curve(1).iter().all(|vertices| (4.0..40.0).contains(vertices)));
@@ -92,7 +92,7 @@ fn example_2_without_noise_is_bounded() -> Result<(), ScenarioError> {
     let simulate = |rng: &mut _| unicycle::plant::simulate(false, setting.kind, unicycle::STEPS, rng);
     for cell in study_sizes(&Context::new(1), "unicycle test, quiet", 2, simulate, contenders)? {
         check(&cell);
-        println!("{}: {:.3e?}, vertices {:.1?}", cell.method, cell.curve(0), cell.curve(1));
+        println!("{}: {:?}, vertices {:.1?}", cell.method, cell.curve(0), cell.curve(1));
         assert!(cell.curve(1).iter().all(|vertices| *vertices <= 200.0));
         assert!(cell.curve(0)[4] <= cell.curve(0)[0]);
     }
