@@ -1,6 +1,6 @@
 //! Experiment `batch-reactor`: unscented Kalman filter against zonotopic filter, paper 001, section 5.1.
 //!
-//! Reading order: [`plant`], [`filters`], [`study`], [`figures`], [`tables`] and [`report`].
+//! Reading order: [`plant`], [`filters`], [`mod@study`], [`figures`], [`tables`] and [`report`].
 
 pub mod figures;
 pub mod filters;

@@ -22,7 +22,7 @@ pub const FACETS: Measure =
 /// A study of volumes; of V-H also of vertices and facets (measures 1 and 2), which other forms of sets make costly to count.
 ///
 /// # Errors
-/// Those of [`study`].
+/// Those of [`study()`].
 pub fn study_sizes<F>(
     context: &Context<'_>,
     label: &str,

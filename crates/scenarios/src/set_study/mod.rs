@@ -1,7 +1,7 @@
 //! What the experiments with set-valued filters share: a plant is simulated, filters follow it, sizes and containment are noted.
 //!
 //! Reading order: [`trajectory`] and [`additive`] (the truth, by the contract of [`crate::truth`]), [`filter`] and [`case`] (what the study asks of a
-//! filter and its name), [`course`] (one filter along one trajectory), [`study`] (many runs), [`rows`], [`ratios`] and [`figures`] (tables and curves),
+//! filter and its name), [`course`] (one filter along one trajectory), [`mod@study`] (many runs), [`rows`], [`ratios`] and [`figures`] (tables and curves),
 //! [`timing`] (how long the phases of a step take).
 
 pub mod additive;

@@ -1,6 +1,6 @@
 //! Experiment `vehicle-polar`: unscented Kalman filter against linearised zonotopic filter, paper 001, section 5.2.
 //!
-//! Reading order: [`plant`], [`filters`], [`study`], [`figures`], [`tables`] and [`report`].
+//! Reading order: [`plant`], [`filters`], [`mod@study`], [`figures`], [`tables`] and [`report`].
 
 pub mod figures;
 pub mod filters;
