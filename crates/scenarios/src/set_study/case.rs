@@ -66,9 +66,12 @@ impl Case {
     /// The filters of these names, in their order.
     ///
     /// # Errors
-    /// As [`contender`](Self::contender).
+    /// [`ScenarioError::UnknownFilter`].
     pub fn contenders(&self, names: &[&str], mode: Mode) -> Result<Vec<Contender>, ScenarioError> {
-        names.iter().filter_map(|name| self.contender(name, mode).transpose()).map(|found| Ok(found?)).collect()
+        let named = |name: &&str| {
+            self.contender(name, mode)?.ok_or_else(|| ScenarioError::UnknownFilter { name: (*name).to_owned() })
+        };
+        names.iter().map(named).collect()
     }
 
     /// The first set as a constrained zonotope.

@@ -6,6 +6,7 @@
 mod attitude;
 mod containment;
 mod planar;
+mod polytopes;
 mod truth;
 
 use rand_chacha::ChaCha8Rng;
