@@ -19,6 +19,9 @@ use crate::{Context, Experiment, Output, Results, Row, ScenarioError};
 use contenders::{PRINTED_NOISE, all, rigorous};
 use studies::{Scale, Studies};
 
+/// Steps of a timed run.
+const TIMED_STEPS: usize = 40;
+
 /// Example 5.2 of paper 003: Tables 3 and 4, Figures 5 and 6.
 #[derive(Clone, Copy, Debug)]
 pub struct AttitudeExperiment;
@@ -47,7 +50,8 @@ impl Experiment for AttitudeExperiment {
 
 /// Times of a step at the printed bound, one filter after the other on one thread.
 fn timings(context: &Context<'_>, scale: &Scale) -> Result<Vec<Row>, ScenarioError> {
-    let trajectory = studies::trajectory_of(context, PRINTED_NOISE, scale, 0)?;
+    let some = Scale { steps: scale.steps.min(TIMED_STEPS), ..*scale };
+    let trajectory = studies::trajectory_of(context, PRINTED_NOISE, &some, 0)?;
     let mut rows = Vec::new();
     for contender in rigorous(PRINTED_NOISE, &all())? {
         let times = timing::phase_times(&trajectory, &contender)?;

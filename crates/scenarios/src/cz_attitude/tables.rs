@@ -48,10 +48,18 @@ pub fn rows(studies: &Studies) -> Vec<Row> {
             .iter()
             .flat_map(|cell| rows::at_steps(RADII, &larger.label(), cell, (0, RADIUS), &[0, 20, LARGER_STEPS])),
     );
-    for (kind, cells) in &studies.containment {
-        all.extend(cells.iter().flat_map(|cell| rows::containment(kind.name(), cell)));
+    for (name, cells) in watched(studies) {
+        all.extend(cells.iter().flat_map(|cell| rows::containment(&name, cell)));
     }
     all
+}
+
+/// All runs of rigorous filters in which the truth was watched, with a name.
+#[must_use]
+pub fn watched(studies: &Studies) -> Vec<(String, &[Cell])> {
+    let tables = studies.tables.iter().map(|bound| (format!("uniform;{}", bound.label()), &*bound.rigorous));
+    let kinds = studies.containment.iter().map(|(kind, cells)| (kind.name().to_owned(), &**cells));
+    tables.chain(kinds).collect()
 }
 
 fn radii(bound: &Bound) -> Vec<Row> {
