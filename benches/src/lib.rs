@@ -13,6 +13,7 @@ pub mod growth;
 pub mod hulls;
 pub mod intervals;
 pub mod lp_peers;
+pub mod polytopes;
 pub mod set_filters;
 pub mod sets;
 pub mod step_growth;
@@ -38,5 +39,6 @@ pub fn all() -> Vec<Bench> {
     benches.extend(contract::benches());
     benches.extend(filters::benches());
     benches.extend(set_filters::benches());
+    benches.extend(polytopes::benches());
     benches
 }

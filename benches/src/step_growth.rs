@@ -9,6 +9,9 @@ use scenarios::tank_chain::plant::{simulate, start, system};
 use crate::growth::fit;
 use crate::timing::processor_time;
 
+/// A name, and the options for so many states.
+type Variant = (&'static str, fn(usize) -> RczOptions);
+
 /// Numbers of tanks.
 const SIZES: [usize; 4] = [6, 12, 30, 60];
 /// Steps of a run: two re-encodings of the slow variant.
@@ -24,7 +27,7 @@ pub struct Sweep {
 
 /// Times all variants and prints the figures.
 pub fn sweeps() -> Vec<Sweep> {
-    let variants: [(&'static str, fn(usize) -> RczOptions); 3] = [
+    let variants: [Variant; 3] = [
         ("re-encoding every 10th step, 2 n constraints", RczOptions::slow),
         ("re-encoding every step, n + 1 constraints", RczOptions::fast),
         ("no linear programs", RczOptions::cheap),

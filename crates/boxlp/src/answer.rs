@@ -26,8 +26,8 @@ pub struct Solution<'a> {
     pub value: f64,
     /// Proven upper bound of the maximum, at most `|c|_1` (rounded up).
     pub bound: f64,
-    /// The point `x`, always in the box; if the status is `Optimal` it satisfies the rows to about 1e-13 of their 1-norms,
-    /// and to about 1e-9 where a set is so thin that rows merely touch.
+    /// The point `x`, always in the box; if the status is `Optimal` it satisfies the rows to a few roundings (`12 (n + 4)` units
+    /// of 2^-53) of their 1-norms, and to 1e-11 where a set is so thin that rows merely touch.
     pub point: &'a [f64],
     /// The multipliers that prove the bound, by [`Problem::upper_bound`](crate::Problem::upper_bound); those of the certificate if the set is empty.
     pub multipliers: &'a [Multiplier],

@@ -9,7 +9,10 @@
 
 use crate::LpError;
 use crate::problem::{LANES, Problem, check_length};
-use crate::rounding::{UNDERFLOW, gamma_up, norm1_up};
+use crate::rounding::{Compensated, UNDERFLOW, gamma_up, norm1_up};
+
+/// A bound whose rounding errors may exceed this share of `|c|_1` is evaluated again with twice the digits.
+const ROUNDING: f64 = 1e-12;
 
 /// A multiplier: the row and its `y_i`. Rows that are not listed have `y_i = 0`.
 pub type Multiplier = (usize, f64);
@@ -91,8 +94,34 @@ impl Problem {
         let k = multipliers.len();
         let error = gamma_up(k + 1) * inner + gamma_up(self.variables() + k + 1) * (row_moduli + columns) + UNDERFLOW;
         let bound = ((rows + columns) + error.next_up()).next_up();
+        let bound = if error > ROUNDING * norm + 2.0 * UNDERFLOW {
+            bound.min(self.precise_weak_duality(objective, multipliers))
+        } else {
+            bound
+        };
         // Overflow makes the bound infinite or NaN: neither is below the norm.
         if bound < norm { bound } else { norm }
+    }
+
+    /// `B(y)` rounded up, all of it one compensated sum: multipliers may exceed the bound by many digits.
+    fn precise_weak_duality(&self, objective: &[f64], multipliers: &[Multiplier]) -> f64 {
+        let mut bound = Compensated::new(0.0);
+        for &(i, y) in multipliers {
+            let range = &self.ranges()[i];
+            bound.add_product(y, if y < 0.0 { range.lo } else { range.hi });
+        }
+        for (j, &c) in objective.iter().enumerate() {
+            let mut residual = Compensated::new(c);
+            for &(i, y) in multipliers {
+                residual.add_product(-y, self.row(i)[j]);
+            }
+            match residual.bounds() {
+                (low, _) if low >= 0.0 => bound.add_signed(1.0, &residual),
+                (_, high) if high <= 0.0 => bound.add_signed(-1.0, &residual),
+                (low, high) => bound.add_product(1.0, if high > -low { high } else { -low }),
+            }
+        }
+        bound.bounds().1
     }
 }
 

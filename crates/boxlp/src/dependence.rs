@@ -22,7 +22,7 @@ const NEAR: f64 = 1e-9;
 /// `d A_i = sum_k u_k A_k` and `d lower_i <= sum_k u_k activity_k <= d upper_i`.
 pub(crate) fn is_implied(
     problem: &Problem,
-    tableau: &Tableau,
+    tableau: &Tableau<f64>,
     r: usize,
     activity: impl Fn(usize) -> Option<f64>,
 ) -> bool {

@@ -1,17 +1,13 @@
 //! The dual simplex method with bound flips, from any basis.
 
 use crate::problem::Problem;
+use crate::ratio_test::RatioTest;
+use crate::real::Real;
 use crate::tableau::{Tableau, Violation};
 use crate::workspace::Workspace;
 
-/// Violations below this (rows have 1-norms in [1/2, 1), the box has half-width 1) are rounding errors.
-pub(crate) const FEASIBILITY: f64 = 1e-13;
-
 /// How often the tolerance is loosened before the method gives up.
 const LOOSENINGS: usize = 2;
-
-/// A row contradicts the others beyond doubt only if it misses by more than this share of its 1-norm after all flips.
-const CONTRADICTION: f64 = 1e-9;
 
 /// A proof of emptiness is used only if it misses by more than this share of the 1-norms: sets that are empty by the
 /// rounding of their data are treated as the points they are meant to be.
@@ -36,19 +32,35 @@ pub(crate) enum Ending {
 pub(crate) struct Rules {
     /// Most exchanges of all runs of a solve.
     pub(crate) limit: usize,
-    /// Violations below this are forgiven.
-    pub(crate) tolerance: f64,
     /// Whether a contradiction is to be proven from the data (else it is reported as [`Ending::Doubt`]).
     pub(crate) certify: bool,
 }
 
+/// The method at one precision.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Engine<T> {
+    pub(crate) tableau: Tableau<T>,
+    ratio_test: RatioTest<T>,
+}
+
+impl<T: Real> Engine<T> {
+    /// The tableau of `problem` on its logical basis, with room for all that a solve needs.
+    pub(crate) fn build(&mut self, problem: &Problem) {
+        self.tableau.build(problem);
+        self.ratio_test.resize(problem.variables(), problem.stride());
+    }
+}
+
 impl Workspace {
     /// Runs the method on a priced and placed tableau.
-    pub(crate) fn run(&mut self, problem: &Problem, tableau: &mut Tableau, rules: Rules) -> Ending {
+    pub(crate) fn run<T: Real>(&mut self, problem: &Problem, engine: &mut Engine<T>, rules: Rules) -> Ending {
+        let Engine { tableau, ratio_test } = engine;
+        let contradiction = T::from(T::CONTRADICTION);
         let patience = 20 + 2 * (problem.variables() + problem.rows());
         let mut loosen_at = self.pivots + patience;
         let mut loosened = 0;
-        let mut tolerance = rules.tolerance;
+        let mut tolerance = T::from(T::FEASIBILITY);
+        self.forgave = false;
         while let Some(violation) = tableau.worst(tolerance) {
             if self.pivots >= rules.limit {
                 return Ending::Limit;
@@ -60,31 +72,36 @@ impl Workspace {
                 }
                 loosened += 1;
                 loosen_at += patience;
-                tolerance *= 100.0;
+                tolerance = tolerance * T::from(100.0);
+                self.forgave = true;
                 continue;
             }
             let row = tableau.row(violation.row);
-            let entering = self.ratio_test.run(row, &tableau.columns, violation);
-            let doubtful = entering.rest > 0.0 || !entering.stable;
+            let entering = ratio_test.run(row, &tableau.columns, violation);
+            let doubtful = entering.rest > T::ZERO || !entering.stable;
             let tiny = doubtful && {
-                let norm = 1.0 + row.iter().map(|t| t.abs()).sum::<f64>();
-                if entering.rest > 0.0 {
+                let norm = row.iter().fold(T::ONE, |sum, t| sum + t.abs());
+                if entering.rest > T::ZERO {
                     if rules.certify && self.farkas(problem, tableau, violation) {
                         return Ending::Empty;
                     }
-                    if entering.rest > CONTRADICTION * norm {
+                    if entering.rest > contradiction * norm {
                         return Ending::Doubt;
                     }
                 }
-                violation.amount <= CONTRADICTION * norm
+                let share = if entering.rest > T::ZERO { contradiction } else { T::from(T::NOISE) };
+                violation.amount <= share * norm
             };
             match entering.column {
                 Some(column) if entering.stable || !tiny => {
-                    tableau.step(violation, column, &self.ratio_test.flips);
+                    tableau.step(violation, column, &ratio_test.flips);
                     self.pivots += 1;
                 }
                 // The row touches its bound as well as working accuracy can tell: exchanges would divide by errors.
-                _ => tolerance = 2.0 * violation.amount,
+                _ => {
+                    tolerance = violation.amount + violation.amount;
+                    self.forgave = true;
+                }
             }
         }
         Ending::Optimal
@@ -93,14 +110,14 @@ impl Workspace {
     /// Reads multipliers off a row that no flips repair, and proves the set empty by them.
     ///
     /// `x_r = T_r x_N` holds for every `x`; over the bounds of all variables the left side stays on one side of the right.
-    fn farkas(&mut self, problem: &Problem, tableau: &Tableau, violation: Violation) -> bool {
+    fn farkas<T: Real>(&mut self, problem: &Problem, tableau: &Tableau<T>, violation: Violation<T>) -> bool {
         let n = problem.variables();
         self.certificate.multipliers.clear();
-        let mut push = |v: u32, coefficient: f64| {
+        let mut push = |v: u32, coefficient: T| {
             if let Some(i) = (v as usize).checked_sub(n)
-                && coefficient != 0.0
+                && coefficient != T::ZERO
             {
-                self.certificate.multipliers.push((i, coefficient * problem.ranges()[i].scale));
+                self.certificate.multipliers.push((i, coefficient.to_f64() * problem.ranges()[i].scale));
             }
         };
         push(tableau.rows.variable[violation.row], violation.sign);

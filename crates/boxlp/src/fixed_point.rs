@@ -55,7 +55,7 @@ impl FixedPoint {
     pub(crate) fn prove(
         &mut self,
         problem: &Problem,
-        tableau: &Tableau,
+        tableau: &Tableau<f64>,
         point: &[f64],
         is_free: impl Fn(f64) -> bool,
     ) -> Option<f64> {
@@ -100,7 +100,7 @@ impl FixedPoint {
     }
 
     /// Chooses `J`, and as `R` the rows with nonbasic logicals that involve any of it.
-    fn choose(&mut self, problem: &Problem, tableau: &Tableau, point: &[f64], is_free: impl Fn(f64) -> bool) {
+    fn choose(&mut self, problem: &Problem, tableau: &Tableau<f64>, point: &[f64], is_free: impl Fn(f64) -> bool) {
         self.unknowns.clear();
         for (r, &v) in tableau.rows.variable.iter().enumerate() {
             if point.get(v as usize).is_some_and(|&x| is_free(x)) {
@@ -120,7 +120,7 @@ impl FixedPoint {
     }
 
     /// Whether all rows hold at the exact point `x + e`.
-    fn rows_hold(&self, problem: &Problem, tableau: &Tableau, point: &[f64]) -> bool {
+    fn rows_hold(&self, problem: &Problem, tableau: &Tableau<f64>, point: &[f64]) -> bool {
         let n = point.len();
         let within = |e: &Equation| {
             let (lower, upper) = problem.range(e.row);

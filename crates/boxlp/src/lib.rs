@@ -9,7 +9,9 @@
 //!   claimed.
 //! - All variables and all rows are boxed, so every basis is dual feasible: there is no phase 1, and each objective starts
 //!   from the basis of the last. Tall problems (few variables, many rows) and wide ones cost a tableau of rows x variables.
-//! - A solve allocates nothing. The crate depends on nothing.
+//! - Where entries span so many decades, or rows are so nearly dependent, that 16 digits do not suffice, the same method goes
+//!   on with 32.
+//! - A solve allocates nothing (but for the first that needs 32 digits). The crate depends on nothing.
 //!
 //! ```
 //! use boxlp::{Problem, Solver};
@@ -29,8 +31,10 @@
 //! # Ok::<(), boxlp::LpError>(())
 //! ```
 
+mod double_double;
 mod error;
 mod exact;
+mod real;
 mod rounding;
 
 mod problem;

@@ -220,6 +220,16 @@ impl Problem {
         &self.matrix[i * self.stride..][..self.stride]
     }
 
+    /// By how much a point misses the rows at most, as a share of their 1-norms; plain rounding.
+    pub(crate) fn largest_miss(&self, point: &[f64]) -> f64 {
+        let mut largest = 0.0_f64;
+        for (row, range) in self.matrix.chunks_exact(self.stride).zip(&self.ranges) {
+            let activity: f64 = row.iter().zip(point).map(|(a, x)| a * x).sum();
+            largest = largest.max((activity - range.hi).max(range.lo - activity) * range.scale);
+        }
+        largest
+    }
+
     pub(crate) fn ranges(&self) -> &[Range] {
         &self.ranges
     }

@@ -5,48 +5,40 @@
 //! The column at which it falls to zero enters; those before it flip. Source: Maros, *A generalized dual phase-2 simplex
 //! algorithm*, 2003.
 
+use crate::real::Real;
 use crate::tableau::basis::Columns;
 use crate::tableau::{Flip, Violation};
 
-/// A column enters with an entry below this share of the row's largest only if there is no other.
-const SMALL_PIVOT: f64 = 1e-7;
-
-/// Entries above this are good pivots whatever the others.
-const SURE_PIVOT: f64 = 1e-3;
-
-/// Entries below this are rounding errors: their column neither flips nor enters.
-const ZERO_PIVOT: f64 = 1e-13;
-
 /// Scratch of the ratio test.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct RatioTest {
-    candidates: Vec<Candidate>,
+pub(crate) struct RatioTest<T> {
+    candidates: Vec<Candidate<T>>,
     /// The columns that flip, in the order of their breakpoints.
-    pub(crate) flips: Vec<Flip>,
+    pub(crate) flips: Vec<Flip<T>>,
 }
 
 /// A column that can repair the row.
 #[derive(Clone, Copy, Debug, Default)]
-struct Candidate {
+struct Candidate<T> {
     column: u32,
     /// `|t_j|`.
-    entry: f64,
+    entry: T,
     /// Breakpoint `|d_j| / |t_j|`.
-    ratio: f64,
+    ratio: T,
 }
 
 /// Result of a ratio test.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Entering {
+pub(crate) struct Entering<T> {
     /// The column that enters, unless no column can repair the row at all.
     pub(crate) column: Option<usize>,
     /// What is left of the violation when all columns have flipped: positive means that the row contradicts the others.
-    pub(crate) rest: f64,
+    pub(crate) rest: T,
     /// Whether there is a column and its entry is no rounding error beside the others of the row.
     pub(crate) stable: bool,
 }
 
-impl RatioTest {
+impl<T: Real> RatioTest<T> {
     pub(crate) fn resize(&mut self, variables: usize, stride: usize) {
         self.candidates.resize(stride, Candidate::default());
         self.flips.clear();
@@ -54,15 +46,15 @@ impl RatioTest {
     }
 
     /// Runs the test on the tableau's row of the violated variable; leaves the flips in [`RatioTest::flips`].
-    pub(crate) fn run(&mut self, row: &[f64], columns: &Columns, violation: Violation) -> Entering {
+    pub(crate) fn run(&mut self, row: &[T], columns: &Columns<T>, violation: Violation<T>) -> Entering<T> {
         self.flips.clear();
         let count = self.collect(row, columns, violation.sign);
         let candidates = &mut self.candidates[..count];
         // Selection sort up to the breakpoint where the slope vanishes: few columns flip as a rule.
         let mut rest = violation.amount;
         let mut passed = 0;
-        while passed < count && rest > 0.0 {
-            rest -= pass(candidates, passed, columns);
+        while passed < count && rest > T::ZERO {
+            rest = rest - pass(candidates, passed, columns);
             passed += 1;
         }
         // The last one enters.
@@ -70,18 +62,19 @@ impl RatioTest {
             return Entering { column: None, rest, stable: false };
         };
         let mut entering = last;
-        let mut stable = candidates[last].entry >= SURE_PIVOT;
+        let mut stable = candidates[last].entry >= T::from(T::SURE_PIVOT);
         if !stable {
             // Its entry is too small to divide by: the last one before it that is not, or the first one after it.
-            let largest = row.iter().fold(1.0_f64, |m, t| m.max(t.abs()));
-            let sound = |c: &Candidate| c.entry >= SMALL_PIVOT * largest;
+            let largest = row.iter().fold(T::ONE, |m, t| if t.abs() > m { t.abs() } else { m });
+            let small = T::from(T::SMALL_PIVOT) * largest;
+            let sound = |c: &Candidate<T>| c.entry >= small;
             while passed < count && !candidates[..passed].iter().any(sound) {
-                rest -= pass(candidates, passed, columns);
+                rest = rest - pass(candidates, passed, columns);
                 passed += 1;
             }
             let before = &candidates[..passed];
             stable = before.iter().any(sound);
-            let widest = |a: &usize, b: &usize| before[*a].entry.total_cmp(&before[*b].entry);
+            let widest = |a: &usize, b: &usize| before[*a].entry.to_f64().total_cmp(&before[*b].entry.to_f64());
             let widest = (0..passed).max_by(widest).unwrap_or(last);
             entering = before.iter().rposition(sound).unwrap_or(widest);
         }
@@ -93,18 +86,19 @@ impl RatioTest {
     }
 
     /// Lists the columns that can repair the row; returns their number.
-    fn collect(&mut self, row: &[f64], columns: &Columns, sign: f64) -> usize {
+    fn collect(&mut self, row: &[T], columns: &Columns<T>, sign: T) -> usize {
+        let zero = T::from(T::ZERO_PIVOT);
         let mut count = 0;
         for (j, (t, side)) in row.iter().zip(&columns.side).enumerate() {
-            let entry = sign * t * side;
+            let entry = sign * *t * *side;
             let slot = &mut self.candidates[count];
             slot.column = j as u32;
             slot.entry = entry;
             // No branch: a column that does not help is overwritten by the next one.
-            count += usize::from(entry > ZERO_PIVOT);
+            count += usize::from(entry > zero);
         }
         for c in &mut self.candidates[..count] {
-            c.ratio = columns.cost[c.column as usize].abs() / c.entry;
+            c.ratio = columns.cost[c.column as usize].abs().over(c.entry);
         }
         count
     }
@@ -112,7 +106,7 @@ impl RatioTest {
 
 /// Moves the candidate of the next breakpoint (of equal ones, that of the largest entry) to index `passed`; returns the
 /// fall of the slope there.
-fn pass(candidates: &mut [Candidate], passed: usize, columns: &Columns) -> f64 {
+fn pass<T: Real>(candidates: &mut [Candidate<T>], passed: usize, columns: &Columns<T>) -> T {
     let mut best = passed;
     let mut least = candidates[passed];
     for (k, c) in candidates.iter().enumerate().skip(passed + 1) {

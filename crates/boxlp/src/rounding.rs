@@ -81,29 +81,69 @@ pub(crate) fn magnitude(bounds: Bounds) -> f64 {
 }
 
 /// Bounds of the exact `start + sum a_j x_j`; both the same if no operation rounds.
-///
-/// Compensated summation: the error of every operation is itself a number, so only the sum of the errors is rounded.
 pub(crate) fn dot_enclosure(start: f64, a: &[f64], x: &[f64]) -> Bounds {
-    let (mut sum, mut correction, mut moduli) = (start, 0.0, 0.0_f64);
-    let mut tiny = 0.0;
+    let mut sum = Compensated::new(start);
     for (&a, &x) in a.iter().zip(x) {
+        sum.add_product(a, x);
+    }
+    sum.bounds()
+}
+
+/// A sum of numbers and products by compensated summation: the error of every operation is itself a number, so only the
+/// sum of the errors is rounded.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Compensated {
+    sum: f64,
+    correction: f64,
+    /// Sum of the moduli of what the correction adds up, and the number of roundings in it.
+    moduli: f64,
+    count: usize,
+    /// Bound of what no number of this sum represents.
+    rest: f64,
+}
+
+impl Compensated {
+    pub(crate) fn new(start: f64) -> Self {
+        Self { sum: start, correction: 0.0, moduli: 0.0, count: 0, rest: 0.0 }
+    }
+
+    /// Adds `a x`.
+    #[inline]
+    pub(crate) fn add_product(&mut self, a: f64, x: f64) {
         let product = a * x;
         let product_error = a.mul_add(x, -product);
-        let next = sum + product;
-        let part = next - sum;
-        let sum_error = (sum - (next - part)) + (product - part);
-        sum = next;
-        correction += product_error + sum_error;
-        moduli += product_error.abs() + sum_error.abs();
+        let next = self.sum + product;
+        let part = next - self.sum;
+        let sum_error = (self.sum - (next - part)) + (product - part);
+        self.sum = next;
+        self.correction += product_error + sum_error;
+        self.moduli += product_error.abs() + sum_error.abs();
+        self.count += 2;
         if product.abs() < TINY_PRODUCT && a != 0.0 && x != 0.0 {
-            tiny += SMALLEST;
+            self.rest = add_up(self.rest, SMALLEST);
         }
     }
-    if moduli == 0.0 && tiny == 0.0 {
-        return (sum, sum);
+
+    /// Adds `sign` (1 or -1) times another sum.
+    pub(crate) fn add_signed(&mut self, sign: f64, other: &Self) {
+        self.add_product(sign, other.sum);
+        self.add_product(sign, other.correction);
+        self.rest = add_up(self.rest, other.error());
     }
-    let error = (gamma_up(2 * a.len()) * moduli + tiny).next_up();
-    (add_down(add_down(sum, correction), -error), add_up(add_up(sum, correction), error))
+
+    /// Bounds of the exact sum.
+    pub(crate) fn bounds(&self) -> Bounds {
+        if self.moduli == 0.0 && self.rest == 0.0 {
+            return (self.sum, self.sum);
+        }
+        let error = self.error();
+        (add_down(add_down(self.sum, self.correction), -error), add_up(add_up(self.sum, self.correction), error))
+    }
+
+    /// Bound of the error of `sum + correction`.
+    fn error(&self) -> f64 {
+        (gamma_up(self.count) * self.moduli + self.rest).next_up()
+    }
 }
 
 #[cfg(test)]

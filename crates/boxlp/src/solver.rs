@@ -2,24 +2,24 @@
 
 use crate::LpError;
 use crate::answer::{Emptiness, Solution, Status};
-use crate::dual_simplex::{Ending, FEASIBILITY, Rules};
+use crate::double_double::DoubleDouble;
+use crate::dual_simplex::{Ending, Engine, Rules};
 use crate::problem::Problem;
-use crate::rounding::UNDERFLOW;
-use crate::tableau::Tableau;
 use crate::witness::Witness;
-use crate::workspace::Workspace;
+use crate::workspace::{Answer, Workspace};
 
-/// A gap above this share of `|c|_1` makes the solver rebuild a tableau that has seen exchanges, once a solve.
+/// A gap above this share of `|c|_1` is doubt: the tableau is rebuilt, and then the method repeated with twice the digits.
 const GAP: f64 = 1e-11;
 
-/// A gap above this share of `|c|_1` on a rebuilt tableau is numerical doubt.
-const WIDE_GAP: f64 = 1e-6;
+/// A point that misses a row by more than this share of its 1-norm for each variable, and four more, is doubt as well: a dozen
+/// roundings each.
+const MISS: f64 = 6.0 * f64::EPSILON;
 
-/// Violations forgiven when nothing else helps.
-const CAUTION: f64 = 1e-7;
+/// What is called optimal in the end has a gap of at most this share of `|c|_1`.
+const WIDE_GAP: f64 = 1e-9;
 
-/// A row's activity may differ by this from its value in the tableau (rows have 1-norms in [1/2, 1)).
-const DRIFT: f64 = 1e-10;
+/// What is called optimal in the end misses no row by more than this share of its 1-norm.
+const WIDE_MISS: f64 = 1e-11;
 
 /// Exchanges between two comparisons of the tableau with the data.
 const CHECK_EVERY: usize = 64;
@@ -30,7 +30,7 @@ const MARGINS: [f64; 2] = [1e-7, 1e-10];
 /// Solves `max c'x` over `{ x : lower <= A x <= upper, |x_j| <= 1 }` for one objective after another.
 ///
 /// It owns the problem and all scratch: keep one and [`load`](Self::load) the next problem into it; a solve then allocates
-/// nothing. Each solve starts from the basis of the last one, and rows can be appended and dropped between solves.
+/// nothing (but for the first one that needs more digits). Each solve starts from the basis of the last one, and rows can be appended and dropped between solves.
 ///
 /// **Guarantee:** every [`Solution::bound`] is an upper bound of the exact maximum, whatever rounding did to the pivots.
 ///
@@ -48,7 +48,11 @@ const MARGINS: [f64; 2] = [1e-7, 1e-10];
 #[derive(Clone, Debug)]
 pub struct Solver {
     problem: Problem,
-    tableau: Tableau,
+    engine: Engine<f64>,
+    /// The same method with twice the digits, for the few objectives that need them.
+    precise: Engine<DoubleDouble>,
+    /// The precise tableau does not belong to the problem.
+    imprecise: bool,
     workspace: Workspace,
     witness: Witness,
     /// The tableau does not belong to the problem yet.
@@ -70,7 +74,9 @@ impl Solver {
     pub fn new(problem: Problem) -> Self {
         Self {
             problem,
-            tableau: Tableau::default(),
+            engine: Engine::default(),
+            precise: Engine::default(),
+            imprecise: true,
             workspace: Workspace::default(),
             witness: Witness::default(),
             stale: true,
@@ -111,7 +117,7 @@ impl Solver {
 
     /// Limits the exchanges of one solve, at which it ends as [`Status::Stopped`] with a looser bound.
     ///
-    /// `None` is the default: a solve ends by itself, after at most about `18 (n + m + 10)` exchanges, of which it needs few.
+    /// `None` is the default: a solve ends by itself, after at most about `36 (n + m + 10)` exchanges, of which it needs few.
     pub fn set_pivot_limit(&mut self, limit: Option<usize>) {
         self.pivot_limit = limit;
     }
@@ -123,7 +129,8 @@ impl Solver {
     pub fn push_row(&mut self, row: &[f64], lower: f64, upper: f64) -> Result<usize, LpError> {
         let index = self.problem.push_row(row, lower, upper)?;
         if !self.stale {
-            self.tableau.append_row(&self.problem);
+            self.engine.tableau.append_row(&self.problem);
+            self.imprecise = true;
         }
         Ok(index)
     }
@@ -150,14 +157,20 @@ impl Solver {
         self.keep.extend((0..self.problem.rows()).map(keep));
         self.problem.retain_rows(|i| self.keep[i]);
         self.empty = false;
-        self.stale = self.stale || !self.tableau.retain_rows(&self.keep);
+        self.stale = self.stale || !self.engine.tableau.retain_rows(&self.keep);
+        self.imprecise = true;
     }
 
     /// Maximises `c'x`.
     ///
     /// Method: dual simplex with bound flips from the last basis; the multipliers are read off the reduced costs and give
-    /// the bound by weak duality ([`Problem::upper_bound`]). Should the gap or the rows show that the tableau has drifted,
-    /// it is rebuilt from the data, once.
+    /// the bound by weak duality ([`Problem::upper_bound`]). Should the gap or the rows leave doubt, the tableau is rebuilt from
+    /// the data; should doubt remain, as for entries over many decades or rows that are nearly dependent, the method goes on in
+    /// double-double numbers (and allocates their tableau, once).
+    ///
+    /// The bound of an optimal answer is as tight as the rows are known: it is at most 1e-9 `|c|_1`, by experience 1e-11, above
+    /// the maximum over the set with its ranges wider by some roundings, `12 (n + 4)` units of 2^-53, of the rows' 1-norms (1e-12 of
+    /// these, where rows contradict each other by less).
     ///
     /// **Guarantee:** `max c'x <= bound` in real arithmetic; [`Status::Empty`] only if the set is proven empty. The minimum
     /// of `c'x` is at least minus the bound for `-c`.
@@ -167,7 +180,7 @@ impl Solver {
     pub fn maximize(&mut self, objective: &[f64]) -> Result<Solution<'_>, LpError> {
         let norm = self.problem.check_objective(objective)?;
         self.prepare();
-        let (status, value, bound) = self.solve(objective, norm);
+        let Answer { status, value, bound } = self.solve(objective, norm);
         let Workspace { certificate, multipliers, point, pivots, .. } = &self.workspace;
         let multipliers = if self.empty { certificate.multipliers() } else { multipliers };
         Ok(Solution { status, value, bound, point, multipliers, pivots: *pivots })
@@ -206,35 +219,38 @@ impl Solver {
     }
 
     fn find_witness(&mut self, zeros: &[f64]) -> bool {
-        if self.witness.prove(&self.problem, &self.tableau, &mut self.workspace) {
+        let Self { problem, engine, workspace, witness, .. } = self;
+        if witness.prove(problem, &engine.tableau, workspace) {
             return true;
         }
         let limit = self.pivot_limit.unwrap_or(usize::MAX);
-        let rules = Rules { limit, tolerance: FEASIBILITY, certify: false };
+        let rules = Rules { limit, certify: false };
         let proven = MARGINS.iter().any(|&margin| {
-            self.tableau.set_bounds(&self.problem, margin);
-            self.tableau.price(zeros);
-            self.tableau.place();
-            self.workspace.pivots = 0;
-            if self.workspace.run(&self.problem, &mut self.tableau, rules) != Ending::Optimal {
+            engine.tableau.set_bounds(problem, margin);
+            engine.tableau.price(zeros);
+            engine.tableau.place();
+            workspace.pivots = 0;
+            if workspace.run(problem, engine, rules) != Ending::Optimal {
                 return false;
             }
-            self.workspace.read(&self.problem, &self.tableau);
-            self.witness.prove(&self.problem, &self.tableau, &mut self.workspace)
+            workspace.read(problem, &engine.tableau);
+            witness.prove(problem, &engine.tableau, workspace)
         });
-        self.tableau.set_bounds(&self.problem, 0.0);
+        engine.tableau.set_bounds(problem, 0.0);
         proven
     }
 
     /// Brings the tableau up to date with the problem.
     fn prepare(&mut self) {
         if self.stale {
-            self.tableau.build(&self.problem);
+            self.engine.build(&self.problem);
             self.workspace.resize(&self.problem);
             self.empty = false;
             self.unchecked = 0;
+            self.imprecise = true;
         } else if self.moved {
-            self.tableau.set_bounds(&self.problem, 0.0);
+            self.engine.tableau.set_bounds(&self.problem, 0.0);
+            self.imprecise = true;
         }
         self.stale = false;
         self.moved = false;
@@ -243,66 +259,88 @@ impl Solver {
 
     /// Status, value and bound; the rest is in the workspace.
     ///
-    /// Three attempts: from the last basis; from the same basis rebuilt from the data, if the first left doubt; and from
-    /// the logical basis, forgiving small violations, if the rows are so nearly dependent that the proof needs huge
-    /// multipliers. The last one gives no optimal point but a better bound.
-    fn solve(&mut self, objective: &[f64], norm: f64) -> (Status, f64, f64) {
-        const NOTHING: (Status, f64, f64) = (Status::Empty, f64::NEG_INFINITY, f64::NEG_INFINITY);
+    /// Where all attempts leave doubt the set may be empty in a way that this objective does not show: that is asked then.
+    fn solve(&mut self, objective: &[f64], norm: f64) -> Answer {
+        let answer = self.settle(objective, norm);
+        let doubt = answer.status == Status::Stopped && self.pivot_limit.is_none() && norm > 0.0;
+        if doubt && self.is_contradictory() { Answer::EMPTY } else { answer }
+    }
+
+    /// Looks for a contradiction from the logical basis; leaves point and multipliers as they were.
+    fn is_contradictory(&mut self) -> bool {
+        let kept = (self.workspace.multipliers.clone(), self.workspace.point.clone());
+        self.engine.build(&self.problem);
+        self.imprecise = true;
+        let zeros = core::mem::take(&mut self.workspace.zeros);
+        self.settle(&zeros, 0.0);
+        self.workspace.zeros = zeros;
+        (self.workspace.multipliers, self.workspace.point) = kept;
+        self.empty
+    }
+
+    /// Three attempts: from the last basis; from the same basis rebuilt from the data, if the first left doubt; and with twice
+    /// the digits, if the rows are so nearly dependent that these are needed.
+    fn settle(&mut self, objective: &[f64], norm: f64) -> Answer {
         if self.empty {
-            return NOTHING;
+            return Answer::EMPTY;
         }
-        let narrow = GAP * norm + 2.0 * UNDERFLOW;
-        let wide = WIDE_GAP * norm + 2.0 * UNDERFLOW;
-        let limit = self.pivot_limit.unwrap_or(usize::MAX);
-        let mut rules = Rules { limit, tolerance: FEASIBILITY, certify: true };
-        let mut rebuilt = self.tableau.age == 0;
+        let rules = Rules { limit: self.pivot_limit.unwrap_or(usize::MAX), certify: true };
+        let mut rebuilt = self.engine.tableau.age == 0;
+        let Self { problem, engine, workspace, .. } = self;
+        let rounding = MISS * (problem.variables() + 4) as f64;
         loop {
-            let cautious = rules.tolerance > FEASIBILITY;
-            let (ending, value, bound) = self.attempt(objective, norm, rules);
+            let before = workspace.pivots;
+            let (ending, answer) = workspace.attempt(problem, engine, objective, norm, rules);
+            self.unchecked += workspace.pivots - before;
             if ending == Ending::Empty {
                 self.empty = true;
-                return NOTHING;
+                return Answer::EMPTY;
             }
-            let gap = bound - value;
-            let sound = ending == Ending::Optimal && !cautious && !self.has_drifted();
-            if sound && gap <= if rebuilt { wide } else { narrow } {
-                return (Status::Optimal, value, bound);
-            }
-            if cautious || ending == Ending::Limit {
-                return (Status::Stopped, value, bound);
+            let suspect = workspace.forgave
+                || engine.tableau.worst(rounding).is_some()
+                || engine.tableau.delicate
+                || self.unchecked >= CHECK_EVERY;
+            let sound = ending == Ending::Optimal && answer.is_within(GAP * norm) && {
+                !suspect || {
+                    self.unchecked = 0;
+                    problem.largest_miss(&workspace.point) <= rounding
+                }
+            };
+            if sound || ending == Ending::Limit {
+                return answer;
             }
             if rebuilt {
-                rules.tolerance = CAUTION;
-                self.tableau.build(&self.problem);
-            } else {
-                rebuilt = true;
-                self.tableau.rebuild(&self.problem);
+                return self.solve_precisely(objective, norm, answer);
             }
+            rebuilt = true;
+            engine.tableau.rebuild(problem);
             self.unchecked = 0;
         }
     }
 
-    /// One run of the method: how it ended, value and bound.
-    fn attempt(&mut self, objective: &[f64], norm: f64, rules: Rules) -> (Ending, f64, f64) {
-        let Self { problem, tableau, workspace, .. } = self;
-        tableau.price(objective);
-        tableau.place();
-        let before = workspace.pivots;
-        let ending = workspace.run(problem, tableau, rules);
-        self.unchecked += workspace.pivots - before;
-        workspace.read(problem, tableau);
-        let Workspace { multipliers, residual, point, .. } = workspace;
-        let bound = problem.weak_duality(objective, norm, multipliers, residual);
-        let value = objective.iter().zip(&*point).map(|(c, x)| c * x).sum();
-        (ending, value, bound)
-    }
-
-    /// Compares the rows' activities at the point with their values in the tableau, every so many exchanges.
-    fn has_drifted(&mut self) -> bool {
-        if self.unchecked < CHECK_EVERY {
-            return false;
+    /// The last attempt, with twice the digits; `first` is what the others have found.
+    fn solve_precisely(&mut self, objective: &[f64], norm: f64, first: Answer) -> Answer {
+        let Self { problem, engine, precise, workspace, .. } = self;
+        if self.imprecise {
+            precise.build(problem);
+            precise.tableau.round(&engine.tableau);
+            precise.tableau.rebuild(problem);
+            self.imprecise = false;
         }
-        self.unchecked = 0;
-        self.tableau.drift(&self.problem, &self.workspace.point) > DRIFT
+        workspace.keep_multipliers();
+        let rules = Rules { limit: self.pivot_limit.unwrap_or(usize::MAX), certify: true };
+        let (ending, mut answer) = workspace.attempt(problem, precise, objective, norm, rules);
+        if ending == Ending::Empty {
+            self.empty = true;
+            return Answer::EMPTY;
+        }
+        engine.tableau.round(&precise.tableau);
+        if first.bound < answer.bound {
+            workspace.restore_multipliers();
+            answer.bound = first.bound;
+        }
+        let fits = answer.is_within(WIDE_GAP * norm) && problem.largest_miss(&workspace.point) <= WIDE_MISS;
+        answer.status = if ending == Ending::Optimal && fits { Status::Optimal } else { Status::Stopped };
+        answer
     }
 }

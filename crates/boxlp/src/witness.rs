@@ -44,7 +44,7 @@ impl Witness {
     /// The vertex itself, or its rounding to a coarser grid, may satisfy every row in real arithmetic. If not, the rows that the
     /// vertex stands on are solved exactly by a fixed-point argument: in all basic coordinates, or in those off the bounds of
     /// the box.
-    pub(crate) fn prove(&mut self, problem: &Problem, tableau: &Tableau, workspace: &mut Workspace) -> bool {
+    pub(crate) fn prove(&mut self, problem: &Problem, tableau: &Tableau<f64>, workspace: &mut Workspace) -> bool {
         let Workspace { point: vertex, fixed_point, .. } = workspace;
         self.radius = 0.0;
         self.set(vertex, |x| x);

@@ -4,6 +4,7 @@ use crate::EstimatorError;
 
 /// What the sets of a filter promise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Guarantee {
     /// The state lies in every set if it lies in the first one and the noises keep their bounds; rounding included.

@@ -5,8 +5,8 @@ use std::fmt;
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Contradiction};
 
-use crate::System;
 use crate::set_filter::Stacked;
+use crate::{Guarantee, System};
 
 /// What takes part in a contradiction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -84,6 +84,8 @@ pub struct Inconsistency {
     pub culprits: Vec<Culprit>,
     /// The proof.
     pub evidence: Evidence,
+    /// What the sets of the filter promise. Where that is not [`Guarantee::Rigorous`], only the simplified model of the filter is refuted.
+    pub guarantee: Guarantee,
 }
 
 impl Inconsistency {
@@ -103,12 +105,15 @@ impl Inconsistency {
         }
     }
 
-    /// Checks the proof again, from the data it carries; false for [`Evidence::Propagation`] and for [`Evidence::Values`], which needs the
-    /// system as well.
+    /// Checks the proof again, from the data it carries; false for [`Evidence::Propagation`], for [`Evidence::Values`], which needs the
+    /// system as well, and for filters that are not rigorous.
     ///
     /// **Guarantee:** true only for a proof.
     #[must_use]
     pub fn verify(&self) -> bool {
+        if self.guarantee != Guarantee::Rigorous {
+            return false;
+        }
         match &self.evidence {
             Evidence::Disjoint { predicted, required } => {
                 !predicted.is_empty() && !required.is_empty() && predicted.disjoint(required)
@@ -125,7 +130,7 @@ impl Inconsistency {
     #[must_use]
     pub fn verify_with(&self, system: &System) -> bool {
         match &self.evidence {
-            Evidence::Values { hull, invariant, required, parameters } => {
+            Evidence::Values { hull, invariant, required, parameters } if self.guarantee == Guarantee::Rigorous => {
                 let (relation, noise) = if *invariant {
                     let Some(invariant) = system.invariant() else { return false };
                     (invariant.relation(), None)

@@ -62,6 +62,12 @@ pub enum ScenarioError {
         /// The given value.
         value: f64,
     },
+    /// No filter has this name.
+    #[error("no filter is named {name}")]
+    UnknownFilter {
+        /// The name.
+        name: String,
+    },
     /// A simulated step could not be proven to be one of the model.
     #[error("the simulated trajectory is not proven to be one of the model")]
     Truth(#[from] crate::truth::TruthError),

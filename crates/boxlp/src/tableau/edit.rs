@@ -1,10 +1,11 @@
 //! Rows appended and dropped while the basis lives on.
 
-use super::rebuild::{Mark, REBUILD_PIVOT};
+use super::rebuild::Mark;
 use super::{Tableau, add_multiple, scaled_range};
 use crate::problem::Problem;
+use crate::real::Real;
 
-impl Tableau {
+impl<T: Real> Tableau<T> {
     /// Appends the last row of `problem`: its logical becomes basic.
     pub(crate) fn append_row(&mut self, problem: &Problem) {
         let (n, stride) = (self.variables, self.stride);
@@ -12,16 +13,16 @@ impl Tableau {
         let range = &problem.ranges()[i];
         let source = problem.row(i);
         let start = self.matrix.len();
-        self.matrix.resize(start + stride, 0.0);
+        self.matrix.resize(start + stride, T::ZERO);
         let (known, new) = self.matrix.split_at_mut(start);
         for j in 0..n {
             let v = self.columns.variable[j] as usize;
-            new[j] = if v < n { source[v] * range.scale } else { 0.0 };
+            new[j] = if v < n { T::from(source[v] * range.scale) } else { T::ZERO };
         }
         for (r, row) in known.chunks_exact(stride).enumerate() {
             let v = self.rows.variable[r] as usize;
             if v < n {
-                add_multiple(source[v] * range.scale, row, new);
+                add_multiple(T::from(source[v] * range.scale), row, new);
             }
         }
         let (lower, upper) = scaled_range(range, self.margin);
@@ -37,7 +38,7 @@ impl Tableau {
         for j in 0..n {
             let v = self.columns.variable[j] as usize;
             if v >= n && !keep[v - n] {
-                let mut best = (REBUILD_PIVOT, usize::MAX);
+                let mut best = (T::from(T::REBUILD_PIVOT), usize::MAX);
                 for r in 0..self.rows.variable.len() {
                     let a = self.row(r)[j].abs();
                     let b = self.rows.variable[r] as usize;
@@ -48,9 +49,10 @@ impl Tableau {
                 if best.1 == usize::MAX {
                     return false;
                 }
-                self.exchange(best.1, j, 0.0, &[]);
+                self.exchange(best.1, j, T::ZERO, &[]);
             }
         }
+        self.weights.clear();
         self.numbers.clear();
         let mut next = n as u32;
         for &kept in keep {

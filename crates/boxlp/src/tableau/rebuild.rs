@@ -2,9 +2,7 @@
 
 use super::Tableau;
 use crate::problem::Problem;
-
-/// Smallest entry an exchange may divide by when a basis is rebuilt.
-pub(super) const REBUILD_PIVOT: f64 = 1e-9;
+use crate::real::Real;
 
 /// What a rebuild has to do with a variable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +15,7 @@ pub(super) enum Mark {
     Settled,
 }
 
-impl Tableau {
+impl<T: Real> Tableau<T> {
     /// The tableau of the same basis computed afresh from the data: ends the drift of many exchanges.
     ///
     /// The structural variables of the basis enter again by complete pivoting; one that is dependent on the others (to
@@ -31,7 +29,7 @@ impl Tableau {
         for (&v, &side) in self.columns.variable.iter().zip(&self.columns.side) {
             marks[v as usize] = match v as usize >= n {
                 true => Mark::Pending,
-                false if side < 0.0 => Mark::Lower,
+                false if side < T::ZERO => Mark::Lower,
                 false => Mark::Settled,
             };
         }
@@ -44,8 +42,9 @@ impl Tableau {
                 self.columns.flip(j);
             }
         }
+        self.weights.clear();
         loop {
-            let mut best = (REBUILD_PIVOT, 0, 0);
+            let mut best = (T::from(T::REBUILD_PIVOT), 0, 0);
             for r in (0..rows).filter(|&r| marks[n + r] == Mark::Pending) {
                 let row = self.row(r);
                 for q in (0..n).filter(|&q| marks[q] == Mark::Pending) {
@@ -55,29 +54,14 @@ impl Tableau {
                 }
             }
             let (pivot, r, q) = best;
-            if pivot <= REBUILD_PIVOT {
+            if pivot <= T::from(T::REBUILD_PIVOT) {
                 break;
             }
-            self.exchange(r, q, 0.0, &[]);
+            self.exchange(r, q, T::ZERO, &[]);
             marks[n + r] = Mark::Settled;
             marks[q] = Mark::Settled;
         }
         self.age = 0;
         self.marks = marks;
-    }
-
-    /// Largest difference between a row's activity at `point` and the value of its logical.
-    pub(crate) fn drift(&self, problem: &Problem, point: &[f64]) -> f64 {
-        let n = self.variables;
-        let basic = self.rows.variable.iter().zip(&self.rows.value);
-        let nonbasic = self.columns.variable.iter().zip(&self.columns.value);
-        let mut drift = 0.0_f64;
-        for (&v, &value) in basic.chain(nonbasic) {
-            if let Some(i) = (v as usize).checked_sub(n) {
-                let activity: f64 = problem.row(i).iter().zip(point).map(|(a, x)| a * x).sum();
-                drift = drift.max((activity * problem.ranges()[i].scale - value).abs());
-            }
-        }
-        drift
     }
 }

@@ -121,11 +121,11 @@ proptest! {
     })]
 
     /// Entries of 1e-8 .. 1e8, integers, zeros, one-sided rows: the bound holds, "empty" is true, and an optimal bound lies
-    /// between the exact optimum and that of the rows loosened a little (a set may end within 1e-9 of where it began).
+    /// between the exact optimum and that of the rows loosened by a few roundings.
     #[test]
     fn any_small_problem_is_answered_validly((problem, objectives) in problem()) {
         let mut exact = Exact::new(&problem);
-        let mut loosened = Exact::new(&loosened(&problem, 1e-6));
+        let mut loosened = Exact::new(&loosened(&problem, LOOSE));
         let mut solver = Solver::new(problem.clone());
         for c in &objectives {
             let solution = solver.maximize(c).unwrap();
@@ -137,12 +137,16 @@ proptest! {
             prop_assert!(rational(solution.bound) >= optimum);
             if solution.status == Status::Optimal {
                 let norm = norm1(c);
-                let most = loosened.maximize(c).unwrap() + rational(1e-6 * norm + 1e-300);
+                let most = loosened.maximize(c).unwrap() + rational(1e-10 * norm + 1e-300);
                 prop_assert!(rational(solution.bound) <= most, "bound {:e}", solution.bound);
             }
         }
     }
 }
+
+/// Rows may be missed by a few roundings of their 1-norms; a set whose rows contradict each other by less than 1e-12 of these is
+/// treated as the one they mean.
+const LOOSE: f64 = 1e-11;
 
 /// The same rows, each range wider by a share of the row's 1-norm on either side.
 fn loosened(problem: &Problem, share: f64) -> Problem {

@@ -7,3 +7,4 @@ mod common;
 mod adversary;
 mod bounds;
 mod emptiness;
+mod many_decades;

@@ -185,6 +185,7 @@ where
     type Set = Gaussian<C, N>;
 
     fn predict(&mut self, input: &Mo::Input) -> Result<(), EstimatorError> {
+        Motion::<C, N, W>::check(&self.model)?;
         self.model.check_input(input)?;
         self.belief = self.rule.forecast(&self.model, &self.belief, &self.process, input)?;
         Ok(())
@@ -193,6 +194,7 @@ where
     fn update(&mut self, output: &[f64]) -> Result<(), EstimatorError> {
         check_size("output", M, output.len())?;
         check_finite("output", output)?;
+        Sensor::<C, N, M, V>::check(&self.model)?;
         let y = SVector::from_column_slice(output);
         let (joint, residual) = self.rule.observe(&self.model, &self.belief, &self.noise, &y)?;
         self.innovation = Some(self.correct(&joint, residual)?);

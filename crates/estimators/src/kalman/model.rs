@@ -13,7 +13,7 @@ pub trait Motion<C: Chart<N>, const N: usize, const W: usize> {
     /// `f(x, u, w)`.
     fn transition(&self, x: &C::Point, u: &Self::Input, w: &SVector<f64, W>) -> C::Point;
 
-    /// `Ok` if the sizes of the model fit; called once, when a filter is made.
+    /// `Ok` if the sizes of the model fit; called when a filter is made and before it uses the model, which may have been replaced.
     ///
     /// # Errors
     /// [`EstimatorError::Size`].
@@ -47,7 +47,7 @@ pub trait Sensor<C: Chart<N>, const N: usize, const M: usize, const V: usize> {
         y - predicted
     }
 
-    /// `Ok` if the sizes of the model fit; called once, when a filter is made.
+    /// `Ok` if the sizes of the model fit; called when a filter is made and before it uses the model, which may have been replaced.
     ///
     /// # Errors
     /// [`EstimatorError::Size`].

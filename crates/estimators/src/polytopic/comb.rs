@@ -8,7 +8,7 @@ use setrep::{HPolytope, SetError, VPolytope, Workspace};
 
 use super::forms::{PolytopeForm, materialized};
 use crate::error::check_size;
-use crate::set_filter::inconsistent;
+use crate::set_filter::{inconsistent, under};
 use crate::{Culprit, Estimator, EstimatorError, Evidence, Guarantee, Method, SetFilter};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
@@ -110,9 +110,9 @@ pub struct CombOptions {
 }
 
 impl Default for CombOptions {
-    /// 60 half-spaces, 200 vertices.
+    /// 60 half-spaces, 64 vertices.
     fn default() -> Self {
-        Self { half_spaces: 60, vertices: 200 }
+        Self { half_spaces: 60, vertices: 64 }
     }
 }
 
@@ -227,7 +227,7 @@ impl Comb {
         }
         self.hull.clear();
         self.hull.extend_from_slice(&self.set.interval_hull());
-        result
+        result.map_err(|error| under(self.guarantee(), error))
     }
 
     /// The intersection of the members' sets.
@@ -239,9 +239,10 @@ impl Comb {
             for (i, &offset) in half_spaces.offsets().iter().enumerate() {
                 let values: Vec<f64> = set.vertices().columns().map(|v| least(&half_spaces, i, v, &set)).collect();
                 if values.iter().all(|&value| value > offset) {
-                    let predicted = values.iter().map(|&value| Interval::point(value)).reduce(Interval::hull);
-                    let evidence = match (predicted, Interval::new(f64::NEG_INFINITY, offset)) {
-                        (Some(predicted), Ok(required)) => Evidence::Disjoint { predicted, required },
+                    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+                    let sides = (Interval::new(least, f64::INFINITY), Interval::new(f64::NEG_INFINITY, offset));
+                    let evidence = match sides {
+                        (Ok(predicted), Ok(required)) => Evidence::Disjoint { predicted, required },
                         _ => Evidence::Propagation { hull: set.interval_hull().to_vec() },
                     };
                     return Err(inconsistent(step, culprits.to_vec(), evidence));

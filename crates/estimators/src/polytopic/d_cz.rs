@@ -127,15 +127,16 @@ impl Method for DecomposedConstrained {
             state.set =
                 decomposition_solution(g, &state.set, values, parameters, &mut scratch.bounds)?.project(&states)?;
             scratch.culprits.extend((0..values.len()).map(Culprit::Measurement));
+            cut_hull(state, scratch)?;
             trace(Phase::Update);
         }
         if let Some(invariant) = system.invariant() {
             let (h, values) = (invariant.relation().function(), invariant.range());
             state.set = decomposition_solution(h, &state.set, values, &[], &mut scratch.bounds)?;
             scratch.culprits.extend((0..values.len()).map(Culprit::Invariant));
+            cut_hull(state, scratch)?;
             trace(Phase::Consistency);
         }
-        cut_hull(state, scratch)?;
         shrink(state, options, scratch, trace)
     }
 

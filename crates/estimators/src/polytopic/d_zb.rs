@@ -142,23 +142,25 @@ impl Method for DecomposedBundle {
             let g = system.measurement().function();
             set = decomposition_solution(g, &set, values, parameters, bounds)?.project(&states)?;
             culprits.extend((0..values.len()).map(Culprit::Measurement));
+            cut_hull(&set, state, &culprits, bounds)?;
             trace(Phase::Update);
         }
         if let Some(invariant) = system.invariant() {
             let (h, values) = (invariant.relation().function(), invariant.range());
             set = decomposition_solution(h, &set, values, &[], bounds)?;
             culprits.extend((0..values.len()).map(Culprit::Invariant));
+            cut_hull(&set, state, &culprits, bounds)?;
             trace(Phase::Consistency);
         }
         let own = set.interval_hull(&mut bounds.sets)?;
-        let held = state.hull.clone();
-        state.hull.iter_mut().zip(own.iter()).for_each(|(side, found)| *side = side.intersection(*found));
-        if state.hull.iter().any(Interval::is_empty) {
-            return Err(of_hull(state.step, &set, (&own, &held), &culprits, &mut bounds.sets));
-        }
         // A member for each half-space beyond those of the hull.
         let half_spaces = 2 * state.hull.len() + options.members.max(1) - 1;
-        let around = HPolytope::around(&set, half_spaces, &mut bounds.sets)?;
+        let around = match HPolytope::around(&set, half_spaces, &mut bounds.sets) {
+            Err(SetError::EmptySet) => {
+                return Err(of_hull(state.step, &set, (&own, &state.hull), &culprits, &mut bounds.sets));
+            }
+            around => around?,
+        };
         let mid: Vec<f64> = own.iter().map(Interval::mid).collect();
         let radii: Vec<f64> = own.iter().map(Interval::rad).collect();
         state.set = Zonotope::from_box(&mid, &radii)?.into();
@@ -174,6 +176,21 @@ impl Method for DecomposedBundle {
     ) -> Result<(), EstimatorError> {
         shrink(state, options, scratch, &mut |_| {})
     }
+}
+
+/// Cuts the hull of the state with that of a set.
+fn cut_hull(
+    set: &ConstrainedZonotope,
+    state: &mut State,
+    culprits: &[Culprit],
+    bounds: &mut Workspace,
+) -> Result<(), EstimatorError> {
+    let own = set.interval_hull(&mut bounds.sets)?;
+    if own.iter().zip(&state.hull).any(|(found, side)| found.disjoint(side)) {
+        return Err(of_hull(state.step, set, (&own, &state.hull), culprits, &mut bounds.sets));
+    }
+    state.hull.iter_mut().zip(own.iter()).for_each(|(side, found)| *side = side.intersection(*found));
+    Ok(())
 }
 
 /// Encloses a bundle with too many members in a small one; the hull stays.

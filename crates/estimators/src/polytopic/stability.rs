@@ -97,8 +97,8 @@ pub fn stability(
     let middle = DMatrix::from_fn(outputs.rows(), n, |i, j| outputs.mid()[(i, j)]);
     let radius = DMatrix::from_fn(outputs.rows(), n, |i, j| outputs.rad()[(i, j)]);
     let largest = middle.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let inverse = match middle.clone().pseudo_inverse(1e-12 * largest) {
-        Ok(inverse) if inverse.iter().all(|x| x.is_finite()) => inverse,
+    let inverse = match (outputs.rows() > 0).then(|| middle.clone().pseudo_inverse(1e-12 * largest)) {
+        Some(Ok(inverse)) if inverse.iter().all(|x| x.is_finite()) => inverse,
         // Any matrix is valid; with this one updates bound nothing.
         _ => DMatrix::zeros(n, outputs.rows()),
     };

@@ -100,10 +100,10 @@ impl VhCenter {
 }
 
 impl VhOptions {
-    /// As in paper 004: one pass. At most 200 vertices, where the paper has no limit.
+    /// As in paper 004: one pass. At most 64 vertices, where the paper has no limit.
     #[must_use]
     pub fn paper() -> Self {
-        Self { vertices: 200, passes: 1, least_shrink: 0.02, tight_range: false, center: VhCenter::VertexMean }
+        Self { vertices: 64, passes: 1, least_shrink: 0.02, tight_range: false, center: VhCenter::VertexMean }
     }
 
     /// Up to three passes, and the tight range.
@@ -155,24 +155,12 @@ impl Method for VertexPolytopes {
         scratch: &mut VhScratch,
         trace: &mut dyn FnMut(Phase),
     ) -> Result<(), EstimatorError> {
-        let VhScratch { bounds, noises, sides, .. } = scratch;
-        let f = system.dynamics().function();
-        let set = beside(&state.set, system.process_noise(), noises)?;
-        let mut image = polytopic_image_with_noise(f, &set, noises, options.center.expansion(), input, bounds)?;
-        if options.tight_range {
-            let domain: Vec<Interval> = set.interval_hull().iter().chain(noises.iter()).copied().collect();
-            sides.clear();
-            sides.resize(f.outputs(), Interval::ENTIRE);
-            range(f, &domain, input, RangeMethod::Tight, bounds, sides)?;
-            image = within(image, sides).map_err(|error| match error {
-                SetError::EmptySet => {
-                    inconsistent(state.step, vec![], Evidence::Propagation { hull: state.hull.clone() })
-                }
-                error => error.into(),
-            })?;
-        }
-        state.set = image;
         state.step += 1;
+        if let Err(error) = advance(system, options, input, state, scratch) {
+            let EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. })) = error else { return Err(error) };
+            state.set = few_vertices(state, options, scratch)?;
+            advance(system, options, input, state, scratch)?;
+        }
         trace(Phase::Prediction);
         settle(state, options, scratch, trace)
     }
@@ -215,6 +203,39 @@ impl Method for VertexPolytopes {
     }
 }
 
+/// Moves the set of a state on.
+fn advance(
+    system: &System,
+    options: &VhOptions,
+    input: &[Interval],
+    state: &mut State,
+    scratch: &mut VhScratch,
+) -> Result<(), EstimatorError> {
+    let VhScratch { bounds, noises, sides, .. } = scratch;
+    let f = system.dynamics().function();
+    let set = beside(&state.set, system.process_noise(), noises)?;
+    let mut image = polytopic_image_with_noise(f, &set, noises, options.center.expansion(), input, bounds)?;
+    if options.tight_range {
+        let domain: Vec<Interval> = set.interval_hull().iter().chain(noises.iter()).copied().collect();
+        sides.clear();
+        sides.resize(f.outputs(), Interval::ENTIRE);
+        range(f, &domain, input, RangeMethod::Tight, bounds, sides)?;
+        image = within(image, sides).map_err(|error| match error {
+            SetError::EmptySet => inconsistent(state.step, vec![], Evidence::Propagation { hull: state.hull.clone() }),
+            error => error.into(),
+        })?;
+    }
+    state.set = image;
+    Ok(())
+}
+
+/// A superset of the set whose vertices leave room for the corners that a step puts around each.
+fn few_vertices(state: &State, options: &VhOptions, scratch: &mut VhScratch) -> Result<VPolytope, EstimatorError> {
+    let corners = 1_usize.checked_shl(u32::try_from(state.hull.len()).unwrap_or(u32::MAX)).unwrap_or(usize::MAX);
+    let few = (options.vertices / 4).max(corners);
+    Ok(state.set.enclosed_within(few, &mut scratch.bounds.sets)?)
+}
+
 /// Cuts a state, which is enclosed in a smaller one before where its vertices are too many to be cut.
 fn cut(
     equation: &Equation<'_>,
@@ -224,8 +245,7 @@ fn cut(
 ) -> Result<(), EstimatorError> {
     match try_cut(equation, options, state, scratch) {
         Err(EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. }))) => {
-            let few = (options.vertices / 4).max(1 << state.hull.len());
-            state.set = state.set.enclosed_within(few, &mut scratch.bounds.sets)?;
+            state.set = few_vertices(state, options, scratch)?;
             try_cut(equation, options, state, scratch)
         }
         result => result,

@@ -4,7 +4,7 @@ use scalars::Interval;
 use setrep::{ConstrainedZonotope, Emptiness, Workspace};
 
 use super::{Equation, FilterState};
-use crate::{Culprit, EstimatorError, Evidence, Inconsistency};
+use crate::{Culprit, EstimatorError, Evidence, Guarantee, Inconsistency};
 
 /// A set whose own hull has no point in common with the box that the state is `held` in.
 pub(crate) fn of_hull(
@@ -67,5 +67,16 @@ pub(crate) fn inconsistent(step: u64, mut culprits: Vec<Culprit>, evidence: Evid
     culprits.push(Culprit::Prediction);
     culprits.sort_unstable();
     culprits.dedup();
-    EstimatorError::Inconsistent(Box::new(Inconsistency { step, culprits, evidence }))
+    EstimatorError::Inconsistent(Box::new(Inconsistency { step, culprits, evidence, guarantee: Guarantee::Rigorous }))
+}
+
+/// The error, with what the filter that reports it promises.
+pub(crate) fn under(guarantee: Guarantee, error: EstimatorError) -> EstimatorError {
+    match error {
+        EstimatorError::Inconsistent(mut inconsistency) if guarantee != Guarantee::Rigorous => {
+            inconsistency.guarantee = guarantee;
+            EstimatorError::Inconsistent(inconsistency)
+        }
+        error => error,
+    }
 }

@@ -8,7 +8,7 @@ mod method;
 mod stacked;
 mod state;
 
-pub(crate) use contradiction::{inconsistent, of_hull, of_values};
+pub(crate) use contradiction::{inconsistent, of_hull, of_values, under};
 pub use delayed::DelayedFilter;
 pub(crate) use equation::{Equation, check_strips};
 pub use faults::{Fault, FaultPolicy, Inflate, Recovery};
@@ -119,7 +119,7 @@ impl<M: Method> SetFilter<M> {
         parameters.clear();
         parameters.extend(input.iter().map(|&u| Interval::point(u)));
         draft.clone_from(state);
-        M::predict(system, options, parameters, draft, scratch, trace)?;
+        M::predict(system, options, parameters, draft, scratch, trace).map_err(|error| under(M::GUARANTEE, error))?;
         core::mem::swap(state, draft);
         Ok(())
     }
@@ -179,7 +179,7 @@ impl<M: Method> SetFilter<M> {
         let Self { system, options, state, draft, values, parameters, scratch, .. } = self;
         let measured = measured.then_some(Measured { values, parameters });
         draft.clone_from(state);
-        M::correct(system, options, measured, draft, scratch, trace)?;
+        M::correct(system, options, measured, draft, scratch, trace).map_err(|error| under(M::GUARANTEE, error))?;
         core::mem::swap(state, draft);
         Ok(())
     }

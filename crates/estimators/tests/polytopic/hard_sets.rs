@@ -60,7 +60,7 @@ fn a_start_with_a_remainder_of_model_size_is_cut() {
 fn the_vertex_budget_holds() {
     let example = unicycle(1.0, 0.0);
     let run = example.run(Draw::Uniform, 5, &mut Random::new(8));
-    for budget in [8, 20, 200] {
+    for budget in [8, 20, 64] {
         let mut options = VhOptions::paper();
         options.vertices = budget;
         let mut filter = example.vh(options);
@@ -109,7 +109,9 @@ fn four_states_with_many_vertices() {
         columns.push_col(&x.iter().map(|x| x / length).collect::<Vec<_>>()).unwrap();
     }
     let start = VPolytope::new(columns).unwrap();
-    let mut filter = Vh::new(system, start, VhOptions::paper()).unwrap();
+    let mut options = VhOptions::paper();
+    options.vertices = 150;
+    let mut filter = Vh::new(system, start, options).unwrap();
     assert!(filter.enclosure().num_vertices() >= 100);
     let mut x = vec![0.1, -0.2, 0.3, 0.1];
     for step in 0..3 {
@@ -118,7 +120,7 @@ fn four_states_with_many_vertices() {
         let mut next = vec![0.0; 4];
         Function::eval(&Cycle, &[&x[..], &[0.0; 4]].concat(), &[], &mut next);
         x = next;
-        assert!(filter.enclosure().num_vertices() <= 200);
+        assert!(filter.enclosure().num_vertices() <= 150);
         assert!(filter.hull().iter().zip(&x).all(|(side, &x)| side.contains(x)), "step {step}");
         assert!(filter.hull().iter().all(|side| side.width() < 3.0), "step {step}: {:?}", filter.hull());
     }

@@ -52,5 +52,5 @@ fn contenders(step: Relation, noise: f64, names: &[&str], mode: Mode) -> Result<
     let feasible = (0..4).map(|i| Strip::new(&unit(i), unit_range)).collect::<Result<Vec<_>, _>>()?;
     let limit = Complexity { generators: 12, constraints: 5 };
     let case = Case { system: system(step, noise)?, start: start()?, limit, feasible };
-    Ok(names.iter().filter_map(|name| case.contender(name, mode)).collect())
+    case.contenders(names, mode)
 }

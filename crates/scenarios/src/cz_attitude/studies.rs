@@ -15,6 +15,8 @@ pub const BOUNDS: [f64; 4] = [0.15, 0.125, 0.10, 0.075];
 pub const LARGER_NOISE: f64 = 0.25;
 /// Steps up to which it is watched.
 pub const LARGER_STEPS: usize = 60;
+/// Steps of the tables. The paper does not say how many it averages over; at so many its zonotope columns of Table 3 come out.
+pub const TABLE_STEPS: usize = 190;
 /// The step at which convergence is judged.
 pub const JUDGED: usize = 30;
 
@@ -27,17 +29,20 @@ pub struct Scale {
     pub table_runs: usize,
     /// Steps of the tables.
     pub steps: usize,
+    /// Steps of the search for the bound, if not to [`JUDGED`].
+    pub search_steps: usize,
     /// Steps of the containment study.
     pub watched_steps: usize,
 }
 
 impl Scale {
-    /// The paper does not say how many steps its tables average over; at 190 the zonotope columns of Table 3 agree.
+    /// Full size or quick.
     #[must_use]
     pub fn of(context: &Context<'_>) -> Self {
         let runs = context.runs_or(100, 2);
-        let (table_runs, steps) = if context.quick { (runs.min(2), 60) } else { (runs.min(20), 190) };
-        Self { runs, table_runs, steps, watched_steps: 40 }
+        let (table_runs, steps, watched_steps) =
+            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(10), TABLE_STEPS, 20) };
+        Self { runs, table_runs, steps, search_steps: JUDGED, watched_steps }
     }
 }
 
@@ -57,6 +62,13 @@ impl Bound {
     #[must_use]
     pub fn label(&self) -> String {
         label(self.noise)
+    }
+
+    /// Steps of its runs.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        let first = self.rigorous.first().and_then(|cell| cell.runs.first());
+        first.map_or(0, |run| run.values[0].len().saturating_sub(1))
     }
 
     /// The cells of the paper's table in its order, then ours: zonotope filters as published where they were run so.
@@ -112,7 +124,7 @@ impl Studies {
             let contenders = rigorous(PRINTED_NOISE, &all())?;
             Ok((kind, study(context, &label, scale.runs, simulate, &contenders, &[RADIUS])?))
         };
-        let search = BOUNDS.into_iter().map(|noise| some(noise, scale.table_runs, JUDGED, &constrained));
+        let search = BOUNDS.into_iter().map(|noise| some(noise, scale.table_runs, scale.search_steps, &constrained));
         Ok(Self {
             tables: [table(PRINTED_NOISE)?, table(SMALLER_NOISE)?],
             search: search.collect::<Result<_, _>>()?,

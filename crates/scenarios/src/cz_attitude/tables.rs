@@ -3,7 +3,7 @@
 use super::contenders::{PRINTED_NOISE, is_zonotopic};
 use super::paper::{METHODS, TABLE_3, index_of};
 use super::plant::START_RADIUS;
-use super::studies::{Bound, JUDGED, LARGER_STEPS, Studies};
+use super::studies::{Bound, JUDGED, LARGER_STEPS, Studies, TABLE_STEPS};
 use crate::set_study::ratios::average_ratios;
 use crate::set_study::rows::row_of;
 use crate::set_study::{Cell, RADIUS, ratios, rows};
@@ -74,7 +74,7 @@ fn table_3(table: &str, bound: &Bound) -> Vec<Row> {
     let ratio = |over: &Cell, of: &Cell| {
         let row = ratios::row(table, of, over);
         match paper_ratio(over, of) {
-            Some(paper) if reproduces(bound.noise, over, of) => row.paper(paper),
+            Some(paper) if bound.steps() == TABLE_STEPS && reproduces(bound.noise, over, of) => row.paper(paper),
             Some(paper) => row.paper_ref(paper),
             None => row,
         }

@@ -19,7 +19,7 @@ pub const METHODS: [&str; 6] = ["zmv", "zfo", "czmv", "czfo", "rcz", "rcz/cheap"
 /// Noises of the study.
 pub const KINDS: [NoiseKind; 3] = [NoiseKind::Uniform, NoiseKind::Vertices, NoiseKind::ConstantVertex];
 /// Steps of a run: full size, quick.
-const STEPS: (usize, usize) = (100, 20);
+const STEPS: (usize, usize) = (40, 20);
 
 /// Example 5.1 of paper 003: Figures 2 and 3, Table 2.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +61,7 @@ pub fn contenders() -> Result<Vec<Contender>, ScenarioError> {
         limit: Complexity { generators: 8, constraints: 3 },
         feasible: Vec::new(),
     };
-    Ok(METHODS.iter().filter_map(|name| case.contender(name, Mode::Rigorous)).collect())
+    case.contenders(&METHODS, Mode::Rigorous)
 }
 
 /// The runs of all filters with noises of one kind.

@@ -1,6 +1,7 @@
 //! The sets of one run, step by step, with images of points of the first set.
 
 use nonlin_bounds::DynFunction;
+use scalars::Interval;
 use setrep::{Outline, Workspace};
 
 use crate::ScenarioError;
@@ -82,7 +83,7 @@ pub fn figure(
         if let Some(points) = images.get(k) {
             panel = panel.with(Series::points("images of points of X0", Look::nth(7), points.iter().map(on_axes)));
         }
-        let state: Vec<f64> = state.iter().map(|side| side.mid()).collect();
+        let state: Vec<f64> = state.iter().map(Interval::mid).collect();
         figure = figure.with(panel.with(Series::points("state", Look::nth(6), [on_axes(&state)])));
     }
     figure

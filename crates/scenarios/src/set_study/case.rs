@@ -1,10 +1,10 @@
 //! [`Case`]: a system with a first set, and the filters for it by their names.
 
-use estimators::{Rcz, RczOptions, System};
+use estimators::{CzFilter, CzOptions, EstimatorError, Rcz, RczOptions, System, ZonotopeFilter, ZonotopeOptions};
 use setrep::{Complexity, ConstrainedZonotope, Strip, Zonotope};
 
 use super::Contender;
-use crate::Mode;
+use crate::{Mode, ScenarioError};
 
 /// What all filters of a study are given.
 #[derive(Debug, Clone)]
@@ -20,16 +20,38 @@ pub struct Case {
 }
 
 impl Case {
-    /// The filter of a name: `czmv`, `czfo`, each alone or with `+c`, `+f`, `+fc`; `zmv`, `zfo`, alone or with `+f`; `rcz` and `rcz/cheap`, which
-    /// solves no linear programs. None for other names.
-    #[must_use]
-    pub fn contender(&self, name: &str, mode: Mode) -> Option<Contender> {
+    /// The filter of a name: `zmv`, `zfo`, `czmv`, `czfo`, each alone or with `+c`, `+f`, `+fc`; `rcz`, and `rcz/cheap`, which solves no linear
+    /// programs. None for other names.
+    ///
+    /// # Errors
+    /// None: a system fits its own noises.
+    pub fn contender(&self, name: &str, mode: Mode) -> Result<Option<Contender>, EstimatorError> {
         let (family, parts) = name.split_once('+').unwrap_or((name, ""));
         if !["", "c", "f", "fc"].contains(&parts) {
-            return None;
+            return Ok(None);
         }
-        let case = self.clone();
-        Some(match family {
+        let feasible = if parts.contains('f') { self.feasible.clone() } else { Vec::new() };
+        let mut case = self.clone();
+        if !family.starts_with("rcz") {
+            case.system = with_noise_generators(case.system)?;
+        }
+        Ok(Some(match family {
+            "zmv" | "zfo" => {
+                let limit = self.limit.generators;
+                let options = if family == "zmv" { ZonotopeOptions::zmv(limit) } else { ZonotopeOptions::zfo(limit) };
+                let options = ZonotopeOptions { consistency: parts.contains('c'), ..options.with_feasible(feasible) };
+                Contender::new(name, mode, move |()| {
+                    Ok(Box::new(ZonotopeFilter::new(case.system.clone(), case.start.clone(), options.clone())?))
+                })
+            }
+            "czmv" | "czfo" => {
+                let limit = Some(self.limit);
+                let options = if family == "czmv" { CzOptions::czmv(limit) } else { CzOptions::czfo(limit) };
+                let options = CzOptions { consistency: parts.contains('c'), ..options.with_feasible(feasible) };
+                Contender::new(name, mode, move |()| {
+                    Ok(Box::new(CzFilter::new(case.system.clone(), case.constrained(), options.clone())?))
+                })
+            }
             "rcz" | "rcz/cheap" if parts.is_empty() => {
                 let n = self.system.states();
                 let options = if family == "rcz" { RczOptions::fast(n) } else { RczOptions::cheap(n) };
@@ -37,12 +59,31 @@ impl Case {
                     Ok(Box::new(Rcz::new(case.system.clone(), case.constrained(), options)?))
                 })
             }
-            _ => return None,
-        })
+            _ => return Ok(None),
+        }))
+    }
+
+    /// The filters of these names, in their order.
+    ///
+    /// # Errors
+    /// [`ScenarioError::UnknownFilter`].
+    pub fn contenders(&self, names: &[&str], mode: Mode) -> Result<Vec<Contender>, ScenarioError> {
+        let named = |name: &&str| {
+            self.contender(name, mode)?.ok_or_else(|| ScenarioError::UnknownFilter { name: (*name).to_owned() })
+        };
+        names.iter().map(named).collect()
     }
 
     /// The first set as a constrained zonotope.
     fn constrained(&self) -> ConstrainedZonotope {
         self.start.clone().into()
     }
+}
+
+/// The system with its process noise as generators, as the paper has it: a box remainder comes free of charge in a reduction.
+fn with_noise_generators(mut system: System) -> Result<System, EstimatorError> {
+    let mut noise = system.process_noise().clone();
+    noise.materialize();
+    system.set_dynamics(system.dynamics().clone(), noise)?;
+    Ok(system)
 }

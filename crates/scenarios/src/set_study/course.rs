@@ -69,6 +69,10 @@ impl Course {
             containment.add(verdict(&trajectory.states[k], filter, &mut workspace)?);
             Ok(())
         })?;
+        if matches!(end, End::Contradiction(_)) {
+            // The truth is proven to keep the bounds: a filter that is left without a state has lost it.
+            containment.add(Membership::ProvenOutside);
+        }
         values.iter_mut().for_each(|values| values.resize(trajectory.states.len(), f64::INFINITY));
         Ok(Self { values, containment, end })
     }

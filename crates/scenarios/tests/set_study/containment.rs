@@ -1,14 +1,15 @@
 //! No rigorous filter loses the truth or proves a false contradiction, wherever the noises are; results do not depend on threads.
 
-use scenarios::cz_attitude::AttitudeExperiment;
 use scenarios::cz_attitude::contenders::{PRINTED_NOISE, all, rigorous};
 use scenarios::cz_attitude::simulation::simulate;
+use scenarios::cz_attitude::studies::{Scale, Studies};
+use scenarios::cz_attitude::tables;
 use scenarios::cz_planar::{PlanarExperiment, contenders, plant};
 use scenarios::noise::NoiseKind;
 use scenarios::set_study::{Contender, Course, End, Trajectory};
 use scenarios::{Context, Experiment};
 
-use crate::random;
+use crate::{cases, random};
 
 const KINDS: [NoiseKind; 3] = [NoiseKind::Uniform, NoiseKind::Vertices, NoiseKind::ConstantVertex];
 
@@ -26,7 +27,7 @@ fn check(trajectory: &Trajectory, contenders: &[Contender], kind: NoiseKind) {
 fn planar_truth_is_never_lost() {
     let contenders = contenders().unwrap();
     for kind in KINDS {
-        for run in 0..10 {
+        for run in 0..cases(10) {
             check(&plant::simulate(kind, 20, &mut random(kind.name(), run)).unwrap(), &contenders, kind);
         }
     }
@@ -36,8 +37,8 @@ fn planar_truth_is_never_lost() {
 fn attitude_truth_is_never_lost() {
     let contenders = rigorous(PRINTED_NOISE, &all()).unwrap();
     for kind in KINDS {
-        for run in 0..2 {
-            check(&simulate(PRINTED_NOISE, kind, 25, &mut random(kind.name(), run)).unwrap(), &contenders, kind);
+        for run in 0..cases(1) {
+            check(&simulate(PRINTED_NOISE, kind, 12, &mut random(kind.name(), run)).unwrap(), &contenders, kind);
         }
     }
 }
@@ -45,18 +46,16 @@ fn attitude_truth_is_never_lost() {
 /// The results are the same bytes for one thread and for two.
 #[test]
 fn results_do_not_depend_on_threads() {
-    let files = |threads: usize| -> Vec<(String, String)> {
+    let results = |threads: usize| -> String {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let context = Context { quick: true, runs: Some(1), ..Context::new(5) };
-        let outputs =
-            pool.install(|| [PlanarExperiment.run(&context).unwrap(), AttitudeExperiment.run(&context).unwrap()]);
-        let files = outputs.iter().flat_map(|output| output.files().unwrap());
-        files
-            .map(|file| (file.name, file.text))
-            .filter(|(name, _)| name != "timings.json" && name != "report.md")
-            .collect()
+        let context = Context { quick: true, runs: Some(2), ..Context::new(5) };
+        let scale = Scale { runs: 2, table_runs: 2, steps: 3, search_steps: 2, watched_steps: 2 };
+        let (planar, attitude) =
+            pool.install(|| (PlanarExperiment.run(&context).unwrap(), Studies::run(&context, &scale).unwrap()));
+        let mut results = planar.results;
+        assert!(results.rows.iter().any(|row| row.metric_name() == "contained_proven"));
+        results.rows.extend(tables::rows(&attitude));
+        results.to_json().unwrap()
     };
-    let (one, two) = (files(1), files(2));
-    assert!(one.iter().any(|(name, text)| name == "results.json" && text.contains("contained_proven")));
-    assert!(one == two);
+    assert!(results(1) == results(2));
 }

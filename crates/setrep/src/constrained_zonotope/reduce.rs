@@ -73,7 +73,7 @@ impl ConstrainedZonotope {
     ///
     /// The set is the part of the lifted zonotope `{ (x, t) : x = c + G xi + e, t = A xi }` of dimension `n + nc` with `t in [b]`;
     /// the lift is reduced as a zonotope, and what rounding adds to its remainder in `t` widens `[b]`. Rows that an intersection has formed from
-    /// `G` make the lift flat, which [`Reduction::Method4`] and [`Reduction::Pca`] keep.
+    /// `G` make the lift flat; [`Reduction::Method4`] reduces it in its span.
     ///
     /// **Guarantee:** superset of the set; at most `max_generators` generators.
     /// **Source:** Scott, Raimondo, Marseglia, Braatz 2016, Section 4.3.

@@ -6,6 +6,9 @@ use super::ConstrainedZonotope;
 use super::optimizer::{prepared, refused};
 use crate::{SetError, Workspace};
 
+/// A row is dropped only if the rows that imply it do so with multipliers of at most this many times its size.
+const LEVERAGE: f64 = 8.0;
+
 impl ConstrainedZonotope {
     /// Drops generators that do nothing: zero columns of `G` and `A`; slacks (`G_j = 0`, one entry `A_ij`), which widen the range
     /// `[b_i]` by `|A_ij|` instead; and of two generators with equal or opposite columns the second, doubling the first.
@@ -78,7 +81,8 @@ impl ConstrainedZonotope {
     /// their range. Equal and opposite rows are merged first, their ranges intersected.
     ///
     /// **Guarantee:** the same set, or a superset by rounding where a row can be missed by no more than that. A row is kept in
-    /// doubt, as an equality that others imply usually is.
+    /// doubt, as an equality that others imply usually is, and so is one that others imply only by the difference of large
+    /// multiples: without it the set would move far with the rounding of its rows.
     ///
     /// # Errors
     /// [`SetError::TooLarge`]; the set is then unchanged.
@@ -105,7 +109,15 @@ impl ConstrainedZonotope {
             solver.set_range(i, f64::NEG_INFINITY, f64::INFINITY).map_err(refused)?;
             objective.clear();
             objective.extend((0..self.num_generators()).map(|j| self.constraints.col(j)[i]));
-            let above = solver.maximize(objective).map_or(f64::INFINITY, |solution| solution.bound);
+            let most = LEVERAGE * self.row_bound(i);
+            let light = |multipliers: &[(usize, f64)]| {
+                multipliers.iter().map(|&(k, y)| y.abs() * self.row_bound(k)).sum::<f64>() <= most
+            };
+            let mut extreme = |objective: &[f64]| match solver.maximize(objective) {
+                Ok(solution) if solution.bound == f64::NEG_INFINITY || light(solution.multipliers) => solution.bound,
+                _ => f64::INFINITY,
+            };
+            let above = extreme(objective);
             if above == f64::NEG_INFINITY {
                 // The others contradict each other: the set is empty with or without this row, and stays as it is.
                 redundant.clear();
@@ -113,7 +125,7 @@ impl ConstrainedZonotope {
             }
             let implied = above <= range.hi() && {
                 objective.iter_mut().for_each(|a| *a = -*a);
-                let below = solver.maximize(objective).map_or(f64::INFINITY, |solution| solution.bound);
+                let below = extreme(objective);
                 -below >= range.lo()
             };
             if implied {

@@ -6,6 +6,7 @@ use scalars::rounding::{ETA, add_up, mul_up, sub_up, up};
 use super::ConstrainedZonotope;
 use super::rows::clip;
 use crate::bounds::{add_lengths, sum_bound};
+use crate::polytope::error_free::dot_compensated;
 use crate::{SetError, Workspace};
 
 /// A range of `xi_j` with at least this half-width is left as it is.
@@ -98,38 +99,63 @@ impl ConstrainedZonotope {
         implied.extend((0..self.num_generators()).map(|j| self.implied(i, j, norm).intersection(unit)));
         let consistent = !implied.iter().any(Interval::is_empty);
         if consistent {
-            for (j, range) in implied.iter().enumerate() {
-                if range.rad() < WORTHWHILE {
-                    self.substitute_affine(j, range.mid(), range.rad());
-                }
-            }
+            self.substitute(&implied, workspace);
         }
         workspace.ranges = implied;
         consistent
     }
 
-    /// `xi_j = middle + radius xi_j'`.
-    fn substitute_affine(&mut self, j: usize, middle: f64, radius: f64) {
-        let constant = radius <= CONSTANT;
+    /// `xi_j = m_j + h_j xi_j'` for the coordinates whose range `m_j +- h_j` is worth it.
+    ///
+    /// A shift `G m` or `A m` may cancel most of a center or a range, so it is one compensated sum for all of them.
+    fn substitute(&mut self, implied: &[Interval], workspace: &mut Workspace) {
+        let Workspace { objective: factors, row_sums: entries, .. } = workspace;
+        let worthwhile = |range: &&Interval| range.rad() < WORTHWHILE;
+        if !implied.iter().any(|range| worthwhile(&range)) {
+            return;
+        }
+        factors.clear();
+        factors.push(1.0);
+        factors.extend(implied.iter().map(|range| Some(range).filter(worthwhile).map_or(0.0, Interval::mid)));
         for i in 0..self.dim() {
-            let g = self.body.generators.col(j)[i];
-            if g == 0.0 {
-                continue;
-            }
-            let moved = Interval::point(self.body.center[i]) + Interval::point(g).scale(middle);
-            self.body.center[i] = moved.mid();
-            let (entry, error) = if constant { (0.0, mul_up(g.abs(), radius)) } else { product(g, radius) };
-            self.body.generators.col_mut(j)[i] = entry;
-            let r = &mut self.body.remainder[i];
-            *r = add_lengths(add_lengths(*r, moved.rad()), error);
+            entries.clear();
+            entries.push(self.body.center[i]);
+            entries.extend(self.body.generators.columns().map(|column| column[i]));
+            let (value, error) = dot_compensated(factors, entries);
+            self.body.center[i] = value;
+            self.body.remainder[i] = add_lengths(self.body.remainder[i], error);
+        }
+        for (i, range) in self.ranges.iter_mut().enumerate() {
+            let mut shifted = |end: f64| {
+                entries.clear();
+                entries.push(end);
+                entries.extend(self.constraints.columns().map(|column| -column[i]));
+                let (value, error) = dot_compensated(factors, entries);
+                Interval::point(value).inflate(error)
+            };
+            *range = match (range.lo(), range.hi()) {
+                (lo, hi) if lo == hi => shifted(lo),
+                (lo, hi) => shifted(lo).hull(shifted(hi)),
+            };
+        }
+        for (j, range) in implied.iter().enumerate().filter(|(_, range)| worthwhile(range)) {
+            self.shrink(j, range.rad());
+        }
+    }
+
+    /// Shrinks column `j` by a factor.
+    fn shrink(&mut self, j: usize, radius: f64) {
+        let constant = radius <= CONSTANT;
+        let shrunk = |entry: f64| if constant { (0.0, mul_up(entry.abs(), radius)) } else { product(entry, radius) };
+        for (g, r) in self.body.generators.col_mut(j).iter_mut().zip(&mut self.body.remainder) {
+            let (entry, error) = shrunk(*g);
+            *g = entry;
+            *r = add_lengths(*r, error);
         }
         for (a, range) in self.constraints.col_mut(j).iter_mut().zip(&mut self.ranges) {
-            if *a == 0.0 {
-                continue;
-            }
-            let (entry, error) = if constant { (0.0, mul_up(a.abs(), radius)) } else { product(*a, radius) };
-            *range = (*range - Interval::point(*a).scale(middle)).inflate(error);
+            let (entry, error) = shrunk(*a);
             *a = entry;
+            *range = range.inflate(error);
         }
     }
 

@@ -80,7 +80,7 @@ pub(super) fn exact_sum(products: impl Iterator<Item = (f64, f64)>) -> Option<f6
 /// Compensated dot product: value and a bound of its error, zero where no operation rounded.
 ///
 /// The error is at most `u |s| + gamma_n^2 sum |x_k y_k|` (Ogita, Rump, Oishi). NaN bounds come out where a product overflows.
-pub(super) fn dot_compensated(x: &[f64], y: &[f64]) -> (f64, f64) {
+pub(crate) fn dot_compensated(x: &[f64], y: &[f64]) -> (f64, f64) {
     let (mut sum, mut compensation, mut magnitude, mut lost, mut tiny) = (0.0, 0.0, 0.0, 0.0, false);
     for (&a, &b) in x.iter().zip(y) {
         // A factor of zero or one is exact at any scale.

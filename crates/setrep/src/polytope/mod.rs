@@ -41,7 +41,7 @@ mod chebyshev;
 mod clip;
 mod cone;
 mod enclosing;
-mod error_free;
+pub(crate) mod error_free;
 mod exact;
 mod facets;
 mod feasibility;

@@ -20,6 +20,9 @@ const FLAT: f64 = 1e-12;
 /// Points beyond a hyperplane by less than this share of its distance from the center are on it.
 const ON: f64 = 1e-13;
 
+/// Points that are compared before one of them is gone to.
+const ASKED_AT_ONCE: usize = 16;
+
 /// Where the ray through a point leaves the hull.
 pub(super) enum Place {
     /// In the hull: weights of the columns, together one.
@@ -151,11 +154,17 @@ impl Walk {
                 return Some(None);
             }
             let normal: Vec<f64> = (0..n).map(|k| (0..n).map(|i| self.inverse[i * n + k]).sum()).collect();
+            // The first points found are the most extreme; the others are asked only where these do not lead on.
             let mut beyond = (1.0 + ON, None);
-            for &j in &self.kept {
-                let reach = dot(&normal, self.relative(j));
-                if reach > beyond.0 && !self.facet.contains(&j) {
-                    beyond = (reach, Some(j));
+            for some in self.kept.chunks(ASKED_AT_ONCE) {
+                for &j in some {
+                    let reach = dot(&normal, self.relative(j));
+                    if reach > beyond.0 && !self.facet.contains(&j) {
+                        beyond = (reach, Some(j));
+                    }
+                }
+                if beyond.1.is_some() {
+                    break;
                 }
             }
             let Some(entering) = beyond.1 else { return Some(Some(normal)) };

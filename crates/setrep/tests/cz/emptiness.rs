@@ -5,7 +5,7 @@ use setrep::{ConstrainedZonotope, Emptiness, IntervalVector, Matrix, Membership,
 
 use crate::SEED;
 use crate::common::random::{Random, cases};
-use crate::member::constrained;
+use crate::member::{constrained, loosened};
 
 /// Sets with a member are never called empty; a witness box meets the set.
 #[test]
@@ -31,10 +31,12 @@ fn sets_with_members_are_not_empty() {
 }
 
 /// Contradictions are found, their proofs verify, and prove nothing of the set without the contradiction.
+///
+/// Those by less than 1e-12 of the rows' 1-norms are not claimed: the set has points then if its ranges are wider by that much.
 #[test]
 fn contradictions_are_proven() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(2_500) {
+    for case in (0..cases(2_500)).chain([3_193]) {
         let mut random = Random::new(SEED + 31, case);
         let (n, m, rows) = (random.between(1, 4), random.between(1, 8), random.between(0, 4));
         let (set, _) = constrained(&mut random, n, m, rows);
@@ -48,7 +50,9 @@ fn contradictions_are_proven() {
         let gap = 1e-3 * (extent + reach) + 1e-9;
         cut.intersect_half_space(&normal, -(beyond + gap), &mut workspace).unwrap();
         let Emptiness::ProvenEmpty(proof) = cut.emptiness(&mut workspace).unwrap() else {
-            panic!("missed, seed {SEED}+31 case {case}: {set:?} {d:?} {beyond}")
+            let reached = loosened(&set, 2e-12).support(&d, &mut workspace).unwrap() >= beyond + gap;
+            assert!(reached, "missed, seed {SEED}+31 case {case}: {set:?} {d:?} {beyond}");
+            continue;
         };
         assert!(proof.verify(&cut) && !proof.verify(&set) && !proof.multipliers().is_empty());
         assert!(cut.is_proven_empty(&mut workspace).unwrap());

@@ -7,17 +7,19 @@ use crate::SEED;
 use crate::common::dyadic::Dyadic;
 use crate::common::random::{Random, cases};
 use crate::inclusion::banded;
-use crate::member::{around, assert_not_refuted, constrained, is_extended_witness};
+use crate::member::{around, assert_not_refuted, constrained, is_extended_witness, loosened};
 
 fn sizes(random: &mut Random) -> (usize, usize) {
     (random.between(0, 5), random.between(0, 3))
 }
 
-/// Exact convex combinations of exact members are not refuted; the support is the larger one.
+/// Exact convex combinations of exact members are not refuted; the support is the larger one, but for what linear programs may
+/// miss of the rows. Of a share `l` of a set they miss `1 / l` times as much; as supports are concave in what is missed, a hull
+/// loses no more than its parts together.
 #[test]
 fn convex_hulls_contain_combinations() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(2_500) {
+    for case in (0..cases(2_500)).chain([10_379]) {
         let mut random = Random::new(SEED + 70, case);
         let n = random.between(1, 3);
         let ((m, rows), (k, others)) = (sizes(&mut random), sizes(&mut random));
@@ -31,14 +33,15 @@ fn convex_hulls_contain_combinations() {
         assert_not_refuted(&hull, &z, &mut random, &mut workspace, &context);
         let d: Vec<f64> = (0..n).map(|_| random.moderate()).collect();
         let supports = [&a, &b, &hull].map(|set| set.support(&d, &mut workspace).unwrap());
+        let losses = [&a, &b].map(|set| loosened(set, 1e-13).support(&d, &mut workspace).unwrap());
         let reach = |set: &ConstrainedZonotope| {
             let body = set.unconstrained().interval_hull();
             body.iter().map(Interval::mag).fold(0.0, f64::max)
         };
         let size = reach(&a) + reach(&b);
-        let loss = supports[2] - supports[0].max(supports[1]);
-        // Multipliers of nearly dependent rows lose accuracy in proportion to their size.
-        assert!(loss <= 1e-5 * size, "wider by {loss:e} of {size:e}: {}", context());
+        let parts = losses[0] - supports[0] + losses[1] - supports[1];
+        let loss = supports[2] - supports[0].max(supports[1]) - parts;
+        assert!(loss <= 1e-9 * size, "wider by {loss:e} of {size:e}: {}", context());
     }
 }
 

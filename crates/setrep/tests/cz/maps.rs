@@ -6,7 +6,7 @@ use crate::SEED;
 use crate::common::dyadic::Dyadic;
 use crate::common::exact::{image, sum};
 use crate::common::random::{Random, cases};
-use crate::member::{constrained, is_constrained_witness, is_extended_witness};
+use crate::member::{constrained, is_constrained_witness, is_extended_witness, loosened};
 
 fn sizes(random: &mut Random) -> (usize, usize, usize) {
     (random.between(1, 4), random.between(0, 7), random.between(0, 4))
@@ -123,11 +123,13 @@ fn the_inclusion_uses_the_hull() {
     assert!((mid.remainder()[0] - 0.0625).abs() < 1e-14);
 }
 
-/// The textbook form of a band has a slack for its range, and the same support.
+/// The textbook form of a band has a slack for its range, and the same support: at most that of either with its ranges wider by
+/// the rounding of their midpoints and radii and by what a linear program may miss, 12 roundings for each of 14 variables. In case 1186
+/// one rounding of a range, 1e-16 of the row, moves the support by 5e-8 of its size.
 #[test]
 fn textbook_forms_have_the_same_support() {
     let mut workspace = Workspace::new();
-    for case in 0..cases(300) {
+    for case in (0..cases(300)).chain([1_186]) {
         let mut random = Random::new(SEED + 4, case);
         let (set, _) = constrained(&mut random, 3, 5, 2);
         let form = set.textbook_form().unwrap();
@@ -135,7 +137,9 @@ fn textbook_forms_have_the_same_support() {
         let reach = set.unconstrained().radius() + set.center().iter().fold(0.0, |m: f64, c| m.max(c.abs()));
         for d in [[1.0, 0.0, 0.0], [1.0, -1.0, 0.5], [0.0, -0.25, 1.0]] {
             let (a, b) = (set.support(&d, &mut workspace).unwrap(), form.support(&d, &mut workspace).unwrap());
-            assert!((a - b).abs() <= 1e-6 * reach, "seed {SEED}+4 case {case}: {a} {b} {set:?}");
+            let most = [&set, &form].map(|x| loosened(x, 3e-14).support(&d, &mut workspace).unwrap());
+            let alike = b.max(a) - most[0].min(most[1]) <= 1e-9 * reach;
+            assert!(alike, "seed {SEED}+4 case {case}: {a} {b} {most:?} {set:?}");
         }
     }
 }

@@ -93,6 +93,17 @@ pub(crate) fn is_extended_witness(
     })
 }
 
+/// The same set with every range wider by a share of its row's 1-norm on either side.
+///
+/// What rounding does to a row is a share of its 1-norm, whether the row is rewritten or a linear program may miss it by a few
+/// roundings. How far the set moves with its rows is its own affair: by 1e-7 of its size for 1e-16, if its rows are nearly
+/// dependent. So two forms of a set agree up to the size of this one.
+pub(crate) fn loosened(set: &ConstrainedZonotope, share: f64) -> ConstrainedZonotope {
+    let norm = |i: usize| set.constraints().columns().map(|column| column[i].abs()).sum::<f64>();
+    let ranges: Vec<Interval> = set.ranges().iter().enumerate().map(|(i, b)| b.inflate(share * norm(i))).collect();
+    ConstrainedZonotope::with_constraints(set.unconstrained(), set.constraints(), &ranges).unwrap()
+}
+
 /// `d'x`, exactly.
 pub(crate) fn dot(d: &[f64], x: &[Dyadic]) -> Dyadic {
     image(&Matrix::from_column_slice(1, d.len(), d).unwrap(), x).remove(0)

@@ -5,14 +5,15 @@ use setrep::{ConstrainedZonotope, Matrix, Workspace};
 
 use crate::SEED;
 use crate::common::random::{Random, cases};
-use crate::member::{assert_not_refuted, constrained};
+use crate::member::{assert_not_refuted, constrained, loosened};
 
-/// Members survive every exact simplification, and the hull stays what it was but for rounding.
+/// Members survive every exact simplification, and the hull stays what it was but for a few roundings of the rows. In case 57279
+/// one of these, 1e-16 of a row, moves the hull by 6e-8 of its extent.
 #[test]
 fn simplifications_keep_the_set() {
     let mut workspace = Workspace::new();
     let (mut rows_dropped, mut columns_dropped) = (0, 0);
-    for case in 0..cases(7_500) {
+    for case in (0..cases(7_500)).chain([57_279]) {
         let mut random = Random::new(SEED + 40, case);
         let (n, m, rows) = (random.between(1, 4), random.between(0, 8), random.between(0, 5));
         let (set, member) = constrained(&mut random, n, m, rows);
@@ -26,12 +27,11 @@ fn simplifications_keep_the_set() {
         assert_not_refuted(&simple, &member.x, &mut random, &mut workspace, &context);
         rows_dropped += rows - simple.num_constraints();
         columns_dropped += m - simple.num_generators();
-        let (before, after) =
-            (set.interval_hull(&mut workspace).unwrap(), simple.interval_hull(&mut workspace).unwrap());
+        let before = loosened(&set, 1e-12).interval_hull(&mut workspace).unwrap();
+        let after = simple.interval_hull(&mut workspace).unwrap();
         for (k, (before, after)) in before.iter().zip(after.iter()).enumerate() {
             let extent: f64 = set.generators().columns().map(|g| g[k].abs()).sum::<f64>() + set.center()[k].abs();
-            // Multipliers of nearly dependent rows lose accuracy in proportion to their size, in either form.
-            let tolerance = 1e-6 * (extent + set.remainder()[k]);
+            let tolerance = 1e-9 * (extent + set.remainder()[k]);
             let (below, above) = (before.lo() - after.lo(), after.hi() - before.hi());
             assert!(
                 below.max(above) <= tolerance,

@@ -189,6 +189,17 @@ fn bad_strips_leave_the_set_as_it_was() {
         Err(SetError::Overflow { row: 0 })
     ));
     assert_eq!(cut, set);
+
+    // Products that overflow leave weights of zero.
+    let huge = Zonotope::new(&[0.0, 0.0], &Matrix::from_columns(&[&[1e200, 1.0]]).unwrap()).unwrap();
+    let mut cut = huge.clone();
+    for rule in [StripRule::Determinant, StripRule::Segments] {
+        let answer = cut.intersect_strip(&[1e200, 0.0], Interval::ONE, rule, &mut workspace);
+        assert!(matches!(answer, Ok(StripCut::Unchanged) | Err(SetError::Overflow { .. })), "{rule:?}: {answer:?}");
+        assert_eq!(cut, huge);
+    }
+    assert!(cut.intersect_strip_by(&[1e200, 0.0], Interval::ONE, &[0.0, 0.0], &mut workspace).is_err());
+    assert_eq!(cut, huge);
 }
 
 #[test]

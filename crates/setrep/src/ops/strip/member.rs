@@ -41,6 +41,11 @@ impl Zonotope {
         }
         let products = columns * n;
         let reach = product_sum_bound(reach, products, n + columns);
+        // Weights can be zero because a product overflowed; NaN fails the comparison.
+        let representable = reach < f64::MAX;
+        if !representable {
+            return Err(SetError::Overflow { row: 0 });
+        }
 
         let mut innovation = Interval::point(middle);
         for (&a, &c) in a.iter().zip(&self.center).filter(|(a, _)| **a != 0.0) {

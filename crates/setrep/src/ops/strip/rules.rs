@@ -32,8 +32,8 @@ impl Zonotope {
             solve_lower(factor, n, weights);
             let leverage: f64 = weights.iter().map(|w| w * w).sum();
             let share = leverage / dot(a, column).powi(2);
-            // NaN and infinity are no candidates.
-            if share < best.map_or(f64::MAX, |(least, _)| least) {
+            // NaN and infinity are no candidates, nor is the zero that an overflow leaves.
+            if share > 0.0 && share < best.map_or(f64::MAX, |(least, _)| least) {
                 best = Some((share, j));
             }
         }
