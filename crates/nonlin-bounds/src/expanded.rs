@@ -84,6 +84,12 @@ impl Expanded {
         if slope == Interval::ZERO { Interval::ZERO } else { slope * (values - Interval::point(self.point[k])) }
     }
 
+    /// `mid [J_i]` times `x`, for as many coordinates as `x` has.
+    pub(crate) fn linear(&self, i: usize, x: &[f64]) -> Interval {
+        let terms = self.row(i).iter().zip(x);
+        terms.fold(Interval::ZERO, |sum, (slope, &x)| sum + Interval::point(x).scale(slope.mid()))
+    }
+
     /// `[J_i] e` for `|e| <= r`, as a half-width.
     pub(crate) fn spread(&self, i: usize, r: &[f64]) -> f64 {
         let terms = self.row(i).iter().zip(r).filter(|(_, r)| **r != 0.0);

@@ -62,6 +62,9 @@ pub(super) fn rows_over(
     Ok(Expanded::over(g, set, at, p, &mut workspace.jet)?.combined(y.normals()))
 }
 
+/// Most columns after a cut for which a row keeps a value of its own at every vertex.
+const MOST_COLUMNS: usize = 24;
+
 /// What [`polytopic_strips`] has left of a polytope.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
@@ -80,11 +83,14 @@ pub enum PolytopicCut {
 /// Solution set `{ x in X : g((x, v), p) in [y] for some v in [v] }` in a polytope, `[y]` a box whose sides may be unbounded and `[v]` a box of
 /// noises that are the last variables of `g`.
 ///
-/// As [`polytopic_solution`] with the noises in the lower bounds at the vertices; each output is a row from above and one from below.
-/// Every solution has its own noise, so the result is the paper's for additive noise, `[y] - [v]` its `Y`.
+/// As [`polytopic_solution`] with the noises in the lower bounds at the vertices; each output is a row from above and one from below. A row that is
+/// not affine bends the set it cuts, with a vertex for every pair of columns; where that would leave more than 24 of them, it is taken as the
+/// half-space `mid [J_j] x <= const` with the widest of the remainders at the vertices, so that the number of vertices stays that of a polytope cut
+/// by half-spaces.
 ///
 /// **Guarantee:** superset of the solution set, rounding included, and a subset of `X` but for rounding.
-/// **Source:** paper 004, Theorem 2; see [`polytopic_solution`].
+/// **Source:** paper 004, Theorem 2; see [`polytopic_solution`]. Its remainders have weights that the rows share, but not with the points; here
+/// they are the points' own, or each row has its own.
 ///
 /// # Errors
 /// As [`polytopic_solution`], but an empty set is a valid answer; [`BoundError::EmptyInterval`] for a side of `[y]`.
@@ -113,7 +119,7 @@ pub fn polytopic_strips(
             let spread = rows.spread(output, solution.remainder());
             let reaches = || solution.vertices().columns().map(|v| rows.reach(output, v) + noises);
             let low = |reach: Interval| if from_above { reach.lo() } else { -reach.hi() };
-            let values: Vec<f64> = reaches().map(|reach| sub_down(low(reach), spread)).collect();
+            let mut values: Vec<f64> = reaches().map(|reach| sub_down(low(reach), spread)).collect();
             if !values.iter().all(|value| value.is_finite()) {
                 continue;
             }
@@ -121,8 +127,24 @@ pub fn polytopic_strips(
                 let reach = reaches().reduce(Interval::hull).unwrap_or(Interval::ENTIRE).inflate(spread);
                 return Ok(PolytopicCut::ProvenEmpty { output, reach });
             }
+            let kept = values.iter().filter(|&&value| value <= bound).count();
+            if kept + kept * (values.len() - kept) > MOST_COLUMNS {
+                let sign = if from_above { 1.0 } else { -1.0 };
+                let linear = solution.vertices().columns().map(|v| rows.linear(output, v).scale(sign));
+                flatten(&mut values, &linear.collect::<Vec<_>>());
+            }
             solution = solution.cut_by_values(&values, bound, THIN)?;
         }
     }
     Ok(PolytopicCut::Left(solution))
+}
+
+/// Lowers values to those of a linear function, given at the same points, minus a constant; leaves them where that overflows.
+fn flatten(values: &mut [f64], linear: &[Interval]) {
+    let gap = |(value, at): (&f64, &Interval)| (*at - Interval::point(*value)).hi();
+    let widest = values.iter().zip(linear).map(gap).fold(f64::NEG_INFINITY, f64::max);
+    let lowered: Vec<f64> = linear.iter().map(|at| sub_down(at.lo(), widest)).collect();
+    if lowered.iter().all(|value| value.is_finite()) {
+        values.copy_from_slice(&lowered);
+    }
 }

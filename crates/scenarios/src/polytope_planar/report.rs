@@ -22,7 +22,7 @@ pub fn report(results: &Results, timings: &[Row], studies: &[Study], costs: &[Co
     ));
     report.heading("Table II").table(pivot(&results.rows, "Table II")).paragraph(Table::LEGEND);
     report.heading("What reproduces").list(verdicts(studies));
-    report.heading("Figure 2").figure("figure-2", "The sets of the first run after each update, images of points of X0 under the model without noise, and the state.");
+    report.heading("Figure 2").figure("figure-2", "The sets of the first run after each update, those images of points of X0 under the model without noise that are near, and the state.");
     report.heading(FACES).table(pivot(&results.rows, FACES));
     report
         .heading("Containment")

@@ -81,12 +81,23 @@ pub fn figure(
             }
         }
         if let Some(points) = images.get(k) {
-            panel = panel.with(Series::points("images of points of X0", Look::nth(7), points.iter().map(on_axes)));
+            let near = points.iter().map(on_axes).filter(|&(x, y)| is_near(outlines, k, [x, y]));
+            panel = panel.with(Series::points("images of points of X0", Look::nth(7), near));
         }
         let state: Vec<f64> = state.iter().map(Interval::mid).collect();
         figure = figure.with(panel.with(Series::points("state", Look::nth(6), [on_axes(&state)])));
     }
     figure
+}
+
+/// Whether a point is no further from the sets of a step than half their widths: what has left cannot be seen beside them.
+fn is_near(outlines: &[Outlines], k: usize, point: [f64; 2]) -> bool {
+    (0..2).all(|axis| {
+        let corners = outlines.iter().filter_map(|outlines| outlines.steps.get(k)).flatten().map(|corner| corner[axis]);
+        let (lo, hi) = corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
+        let margin = 0.5 * (hi - lo);
+        (lo - margin..=hi + margin).contains(&point[axis])
+    })
 }
 
 /// Colour by filter, dash for variants.
