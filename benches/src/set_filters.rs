@@ -80,8 +80,7 @@ fn replays(run: &Trajectory) -> Vec<Replay> {
     for k in 0..REPLAYED.end {
         let (input, output) = (&run.inputs[k], &run.outputs[k + 1]);
         let state = filter.state().clone();
-        let mut programs = Vec::new();
-        programs.push(reduction(&filter, &mut workspace));
+        let mut programs = vec![reduction(&filter, &mut workspace)];
         filter.predict(input).expect("the model is smooth");
         programs.push(hull(filter.enclosure()));
         let predicted = filter.state().clone();
