@@ -42,7 +42,7 @@ pub(crate) struct Tableau<T> {
     margin: f64,
     /// Exchanges since the tableau was built from the data.
     pub(crate) age: usize,
-    /// One of these exchanges divided by a small number.
+    /// One of these exchanges divided by a small number, or the tableau came from one with more digits.
     pub(crate) delicate: bool,
 }
 
@@ -101,7 +101,7 @@ impl<T: Real> Tableau<T> {
         self.rows.variable.clone_from(&other.rows.variable);
         self.columns.variable.clone_from(&other.columns.variable);
         self.age = 0;
-        self.delicate = other.delicate;
+        self.delicate = true;
     }
 
     /// Sets the bounds of all variables from the data, moved inward by `margin` (by a quarter of the width at most).

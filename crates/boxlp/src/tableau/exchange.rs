@@ -4,7 +4,7 @@ use super::{Flip, Tableau, Violation, add_multiple};
 use crate::real::Real;
 
 /// Dividing by less than this costs digits: the vertex is compared with the data from then on.
-const DELICATE: f64 = 1e-5;
+const DELICATE: f64 = 1e-3;
 
 impl<T: Real> Tableau<T> {
     /// One dual simplex step: `flips`, then the violated variable goes to its bound and the variable of column `q` enters.

@@ -41,7 +41,7 @@ impl Scale {
     pub fn of(context: &Context<'_>) -> Self {
         let runs = context.runs_or(100, 2);
         let (table_runs, steps, watched_steps) =
-            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(10), TABLE_STEPS, 20) };
+            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(5), TABLE_STEPS, 8) };
         Self { runs, table_runs, steps, search_steps: JUDGED, watched_steps }
     }
 }
