@@ -45,12 +45,12 @@ pub fn size_rows(points: &[Point]) -> Vec<Row> {
 pub fn timings(points: &[Point]) -> Vec<Row> {
     let row = |point: &Point| {
         let row = Row::new(TIMES, format!("n={}", point.n), &*point.method).mode(Mode::Rigorous);
-        row.metric("ns_per_step", "ns").value(1e9 * point.times.total())
+        row.metric("ns_per_step", "ns").value(1e9 * point.step_s)
     };
     let mut rows: Vec<Row> = points.iter().map(row).collect();
     for (method, _) in METHODS {
         let of_method = points.iter().filter(|point| point.method == method);
-        let times: Vec<(f64, f64)> = of_method.map(|point| (point.n as f64, point.times.total())).collect();
+        let times: Vec<(f64, f64)> = of_method.map(|point| (point.n as f64, point.step_s)).collect();
         let exponents = exponent(&times).into_iter();
         let row = Row::new(TIMES, "growth with n", method).mode(Mode::Rigorous);
         rows.extend(exponents.map(|exponent| row.clone().metric("exponent", "").value(exponent)));

@@ -1,10 +1,12 @@
 //! How radius and time of a step grow with the number of tanks.
 
+use std::time::Instant;
+
 use super::contenders::contenders;
 use super::plant::simulate;
 use crate::noise::NoiseKind;
-use crate::set_study::timing::{PhaseTimes, phase_times};
-use crate::set_study::{Course, RADIUS};
+use crate::set_study::Contender;
+use crate::set_study::course::{follow, radius};
 use crate::{Context, ScenarioError, monte_carlo};
 
 /// Steps of a run.
@@ -19,8 +21,8 @@ pub struct Point {
     pub method: String,
     /// Radius after [`STEPS`] steps.
     pub radius: f64,
-    /// Time of a step.
-    pub times: PhaseTimes,
+    /// Time of a step, seconds.
+    pub step_s: f64,
 }
 
 /// One run a size and filter, with the same noises for all filters of a size.
@@ -31,10 +33,17 @@ pub fn points(context: &Context<'_>, sizes: &[usize]) -> Result<Vec<Point>, Scen
     let by_size = monte_carlo::run(context, "tank-chain, sizes", sizes.len(), |index, rng| {
         let n = sizes[index];
         let run = simulate(n, NoiseKind::Uniform, STEPS, rng)?;
-        let point = |contender: &_| {
-            let course = Course::of(&run, &mut *crate::set_study::Contender::start(contender, ())?, &[RADIUS])?;
-            let radius = course.values[0].last().copied().unwrap_or(f64::INFINITY);
-            Ok(Point { n, method: contender.method.clone(), radius, times: phase_times(&run, contender)? })
+        let point = |contender: &Contender| {
+            let (mut filter, mut last) = (contender.start(())?, f64::INFINITY);
+            let start = Instant::now();
+            follow(&run, &mut *filter, &mut |_| {}, &mut |k, filter| {
+                if k == STEPS {
+                    last = radius(filter.hull());
+                }
+                Ok(())
+            })?;
+            let step_s = start.elapsed().as_secs_f64() / run.outputs.len() as f64;
+            Ok(Point { n, method: contender.method.clone(), radius: last, step_s })
         };
         contenders(n).iter().map(point).collect::<Result<Vec<_>, ScenarioError>>()
     })?;
