@@ -17,7 +17,7 @@ use cases::{Case, Outcome};
 
 /// Runs of a case: full size, quick.
 const RUNS: (usize, usize) = (6, 2);
-/// Most runs of thirty tanks, whose yardstick takes long.
+/// Most runs of thirty tanks, which take long; their yardstick would take longer still.
 const LONG_RUNS: usize = 3;
 /// Sizes of the longer chains: full size, quick.
 const SIZES: (&[usize], &[usize]) = (&[3, 6, 12, 30, 60], &[3, 6, 12]);
@@ -63,7 +63,7 @@ fn cases(quick: bool, runs: usize) -> Vec<Case> {
     let mut cases: Vec<Case> = [NoiseKind::Uniform, NoiseKind::Vertices, NoiseKind::ConstantVertex].map(six).into();
     if !quick {
         let (kind, runs) = (NoiseKind::Uniform, runs.min(LONG_RUNS));
-        cases.push(Case { n: 30, kind, steps: 50, runs, listed: &[10, 20, 50], with_ideal: true });
+        cases.push(Case { n: 30, kind, steps: 50, runs, listed: &[10, 20, 50], with_ideal: false });
     }
     cases
 }
