@@ -61,6 +61,8 @@ pub mod kalman;
 mod linear_cz;
 mod polytopic;
 mod rcz;
+#[cfg(feature = "serde")]
+mod remote;
 mod set_filter;
 mod system;
 mod zonotopic;

@@ -216,9 +216,9 @@ impl Matrix {
         let old = self.rows;
         self.rows = (0..old).filter(|&i| keep(i)).count();
         let mut end = 0;
-        for k in 0..self.data.len() {
-            if keep(k % old) {
-                self.data[end] = self.data[k];
+        for start in (0..self.cols).map(|j| j * old) {
+            for i in (0..old).filter(|&i| keep(i)) {
+                self.data[end] = self.data[start + i];
                 end += 1;
             }
         }

@@ -9,7 +9,7 @@ use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
 use super::czmv;
-use super::options::CzOptions;
+use super::options::{CzOptions, Extension};
 use super::scratch::{Scratch, forget_noises};
 use crate::set_filter::{Equation, is_box, store};
 use crate::system::Relation;
@@ -23,7 +23,7 @@ pub(super) fn image(
     (set, hull): (&mut ConstrainedZonotope, &[Interval]),
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
-    if !enclose(dynamics, Some(noise), options, parameters, (&*set, hull), scratch)? {
+    if !enclose((dynamics, Some(noise)), |_| true, options, parameters, (&*set, hull), scratch)? {
         return czmv::image((dynamics, noise), options, parameters, (set, hull), scratch);
     }
     let Scratch { bounds, quadratic, .. } = scratch;
@@ -35,56 +35,67 @@ pub(super) fn image(
 }
 
 /// Cuts a set in `hull` with the solutions of an equation: Proposition 4 for measurements, Corollary 2 for invariants; as
-/// [`czmv::cut`] where the function is not smooth enough.
+/// [`czmv::cut`] where the function is not smooth or bounded enough. Outputs without a value need be neither.
 pub(super) fn cut(
     equation: &Equation<'_>,
     options: &CzOptions,
     (set, hull): (&mut ConstrainedZonotope, &[Interval]),
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
-    if !enclose(equation.relation, equation.noise, options, equation.parameters, (&*set, hull), scratch)? {
+    let says = |i: usize| equation.values[i] != Interval::ENTIRE;
+    if !(0..equation.values.len()).any(says) {
+        return Ok(());
+    }
+    if !enclose((equation.relation, equation.noise), says, options, equation.parameters, (&*set, hull), scratch)? {
         return czmv::cut(equation, options, (set, hull), scratch);
     }
     let Scratch { bounds, quadratic: Some(quadratic), product, map, culprits, .. } = scratch else { return Ok(()) };
-    match equation.noise.filter(|noise| !is_box(noise)) {
-        None => quadratic.intersect(set, equation.values, bounds)?,
+    let noise = equation.noise.filter(|noise| !is_box(noise));
+    let result = match noise {
+        None => quadratic.intersect(set, equation.values, bounds),
         Some(noise) => {
             let product = store(product, set);
             product.product_assign_zonotope(noise);
-            quadratic.intersect(product, equation.values, bounds)?;
-            forget_noises(hull.len(), product, map, bounds)?;
-            core::mem::swap(set, product);
+            quadratic.intersect(product, equation.values, bounds)
         }
+    };
+    match result {
+        // A bound on one side of an output without one on the other.
+        Err(BoundError::UnboundedResult { .. }) => return czmv::cut(equation, options, (set, hull), scratch),
+        result => result?,
+    }
+    if let (Some(_), Some(product)) = (noise, product) {
+        forget_noises(hull.len(), product, map, bounds)?;
+        core::mem::swap(set, product);
     }
     // Products of the set's constraints say nothing that the set does not.
-    let said = (0..equation.values.len()).filter(|&i| equation.values[i] != Interval::ENTIRE);
+    let said = (0..equation.values.len()).filter(|&i| says(i));
     culprits.resize(set.num_constraints() - said.clone().count(), Culprit::Prediction);
     culprits.extend(said.map(equation.culprit));
     Ok(())
 }
 
-/// Encloses a function on a set and noises; `false` if it is not smooth enough there.
+/// Encloses the outputs of a function that are wanted on a set and noises; `false` if they are not smooth enough there.
 fn enclose(
-    relation: &Relation,
-    noise: Option<&Zonotope>,
+    (relation, noise): (&Relation, Option<&Zonotope>),
+    wanted: impl Fn(usize) -> bool,
     options: &CzOptions,
     parameters: &[Interval],
     (set, hull): (&ConstrainedZonotope, &[Interval]),
     scratch: &mut Scratch,
 ) -> Result<bool, EstimatorError> {
     let Scratch { bounds, quadratic, place, product, .. } = scratch;
-    place.choose(options, set, hull, noise, bounds)?;
+    place.choose(options, Extension::FirstOrder, (set, hull), noise, bounds)?;
     let product = store(product, set);
     if let Some(noise) = noise {
         product.product_assign_zonotope(noise);
     }
     let (function, domain) = (relation.function(), place.domain(parameters));
-    let result = match quadratic {
-        Some(quadratic) => quadratic.renew(function, product, &domain, options.copies, bounds),
-        None => QuadraticEnclosure::new(function, product, &domain, options.copies, bounds)
-            .map(|enclosure| *quadratic = Some(enclosure)),
+    let quadratic = match quadratic {
+        Some(quadratic) => quadratic,
+        None => quadratic.insert(QuadraticEnclosure::unknown(function.outputs())?),
     };
-    match result {
+    match quadratic.renew_for(wanted, function, product, (&domain, options.copies), bounds) {
         Ok(()) => Ok(true),
         Err(
             BoundError::NotSmooth { .. } | BoundError::UnboundedResult { .. } | BoundError::OrderNotAvailable { .. },

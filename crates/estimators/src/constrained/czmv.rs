@@ -9,7 +9,7 @@ use nonlin_bounds::Form;
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
-use super::options::CzOptions;
+use super::options::{CzOptions, Extension};
 use super::scratch::{Scratch, forget_noises};
 use crate::EstimatorError;
 use crate::set_filter::{Equation, is_box, store};
@@ -24,7 +24,7 @@ pub(super) fn image(
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
     let Scratch { bounds, enclosure, place, .. } = scratch;
-    place.choose(options, set, hull, Some(noise), bounds)?;
+    place.choose(options, Extension::MeanValue, (&*set, hull), Some(noise), bounds)?;
     enclosure.enclose_at_best(Form::MeanValue, dynamics.function(), &place.domain(parameters), bounds)?;
     set.product_assign_zonotope(noise);
     Ok(enclosure.image_in_place(set, bounds)?)
@@ -40,7 +40,7 @@ pub(super) fn cut(
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
     let Scratch { bounds, enclosure, rows, place, product, map, culprits, .. } = scratch;
-    place.choose(options, set, hull, equation.noise, bounds)?;
+    place.choose(options, Extension::MeanValue, (&*set, hull), equation.noise, bounds)?;
     let domain = place.domain(equation.parameters);
     enclosure.enclose_at_best(Form::MeanValue, equation.relation.function(), &domain, bounds)?;
     match equation.noise.filter(|noise| !is_box(noise)) {

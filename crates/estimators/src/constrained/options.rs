@@ -37,14 +37,17 @@ pub enum Inclusion {
 /// | CZMV+F, CZFO+F | [`feasible`](Self::feasible) given |
 /// | CZMV+FC, CZFO+FC | both |
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CzOptions {
     /// How functions are enclosed.
     pub extension: Extension,
     /// The expansion point `gamma` for the states (for noises it is the center): C1, C2 or C3 of Section 4.4.
+    #[cfg_attr(feature = "serde", serde(with = "crate::remote::StoredExpansion"))]
     pub expansion: Expansion<'static>,
     /// The bound in the remainder of the mean value extension.
     pub inclusion: Inclusion,
     /// The coordinates of the cross term of the first-order extension.
+    #[cfg_attr(feature = "serde", serde(with = "crate::remote::StoredCopies"))]
     pub copies: Copies,
     /// "+C": whether an update ends with the consistency step, which cuts the set with the invariant of the system. A system without an
     /// invariant has nothing to cut with.

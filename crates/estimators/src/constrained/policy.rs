@@ -23,6 +23,7 @@ pub enum ReduceAfter {
 ///
 /// **Source:** paper 003, Section 5; Scott, Raimondo, Marseglia, Braatz 2016.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ReductionPolicy {
     /// How large sets may be; `None`: they grow with every step, for a few steps only.
     pub limit: Option<Complexity>,

@@ -4,7 +4,7 @@ use nonlin_bounds::{AffineEnclosure, Domain, Expansion, QuadraticEnclosure, Rows
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Matrix, Zonotope};
 
-use super::options::{CzOptions, Inclusion};
+use super::options::{CzOptions, Extension, Inclusion};
 use crate::set_filter::{Stacked, store};
 use crate::{Culprit, EstimatorError};
 
@@ -40,15 +40,16 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// Chooses the expansion point for a set in `hull` and noises.
+    /// Chooses the expansion point for a set in `hull` and noises, and what bounds the distance from it for an `extension`: that of first
+    /// order takes the hull.
     ///
     /// C2 and C3 minimise a weighted 1-norm of `c - gamma` over the hull, which is separable: the center is clamped to the hull, whatever
     /// the weights, and no linear program is needed.
     pub(super) fn choose(
         &mut self,
         options: &CzOptions,
-        set: &ConstrainedZonotope,
-        hull: &[Interval],
+        extension: Extension,
+        (set, hull): (&ConstrainedZonotope, &[Interval]),
         noise: Option<&Zonotope>,
         workspace: &mut Workspace,
     ) -> Result<(), EstimatorError> {
@@ -61,7 +62,8 @@ impl Place {
         }
         let mut expansion = options.expansion;
         let mut source = set;
-        self.widened = options.inclusion == Inclusion::Elimination && set.num_constraints() > 0;
+        let by_elimination = extension == Extension::MeanValue && options.inclusion == Inclusion::Elimination;
+        self.widened = by_elimination && set.num_constraints() > 0;
         if self.widened {
             let free = store(&mut self.free, set);
             free.eliminate_constraints(0, &mut workspace.sets)?;

@@ -45,6 +45,8 @@ impl<const M: usize> Innovation<M> {
 /// ```
 ///
 /// so that the gain is `K = P_xy P_yy^-1 = K_ S_yy^-1` and the corrected covariance `P_xx - K P_yy K' = S+ S+'`, without a subtraction.
+///
+/// A rule of one's own ([`Observe`](super::Observe)) builds it from pairs of deviations.
 #[derive(Debug, Clone, Copy)]
 pub struct Joint<const N: usize, const M: usize> {
     outputs: SMatrix<f64, M, M>,
@@ -52,13 +54,21 @@ pub struct Joint<const N: usize, const M: usize> {
     states: SMatrix<f64, N, N>,
 }
 
+impl<const N: usize, const M: usize> Default for Joint<N, M> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<const N: usize, const M: usize> Joint<N, M> {
-    pub(super) fn new() -> Self {
+    /// No spread.
+    #[must_use]
+    pub fn new() -> Self {
         Self { outputs: SMatrix::zeros(), cross: SMatrix::zeros(), states: SMatrix::zeros() }
     }
 
-    /// Adds `(y; x) (y; x)'`.
-    pub(super) fn add(&mut self, mut y: SVector<f64, M>, mut x: SVector<f64, N>) {
+    /// Adds `(y; x) (y; x)'` to the covariance: a column of its root, a sigma point beside the mean, a noise (`x = 0`).
+    pub fn add(&mut self, mut y: SVector<f64, M>, mut x: SVector<f64, N>) {
         for j in 0..M {
             if let Some(turn) = Turn::new(self.outputs[(j, j)], y[j]) {
                 turn.apply(&mut self.outputs.column_mut(j).as_mut_slice()[j..], &mut y.as_mut_slice()[j..]);
@@ -68,8 +78,11 @@ impl<const N: usize, const M: usize> Joint<N, M> {
         add(&mut self.states, x);
     }
 
-    /// Takes `(y; x) (y; x)'` away.
-    pub(super) fn remove(
+    /// Takes `(y; x) (y; x)'` away, as sigma points of negative weight do; `what` names it in the error.
+    ///
+    /// # Errors
+    /// [`EstimatorError::NotPositive`] if the covariance is not positive semidefinite without it; the spread is then spoiled.
+    pub fn remove(
         &mut self,
         what: &'static str,
         mut y: SVector<f64, M>,

@@ -23,6 +23,7 @@ pub enum NoiseForm {
 
 /// Options of a [`LinearCz`]. Without a limit sets are exact but for rounding, and grow with every step.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LinearOptions {
     /// How large a set may be after an update; `None` for as large as it gets.
     pub limit: Option<Complexity>,
@@ -151,6 +152,12 @@ impl LinearCz {
         &mut self.system
     }
 
+    /// The options.
+    #[must_use]
+    pub fn options(&self) -> &LinearOptions {
+        &self.options
+    }
+
     /// The options, which may be changed between calls.
     pub fn options_mut(&mut self) -> &mut LinearOptions {
         &mut self.options
@@ -189,7 +196,7 @@ impl LinearCz {
     ///
     /// # Errors
     /// As [`update`](Estimator::update).
-    pub fn update_with(&mut self, output: &[Option<f64>], input: &[f64]) -> Result<(), EstimatorError> {
+    pub fn update_some(&mut self, output: &[Option<f64>], input: &[f64]) -> Result<(), EstimatorError> {
         self.draft.clone_from(&self.state);
         self.system.check_measurement(self.draft.set.dim())?;
         check_size("measurement", self.system.c.rows(), output.len())?;
@@ -332,7 +339,7 @@ impl Estimator for LinearCz {
         let mut values = core::mem::take(&mut self.scratch.values);
         values.clear();
         values.extend(output.iter().map(|&y| Some(y)));
-        let result = self.update_with(&values, &[]);
+        let result = self.update_some(&values, &[]);
         self.scratch.values = values;
         result
     }

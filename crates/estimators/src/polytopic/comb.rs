@@ -101,7 +101,6 @@ where
 /// How large the sets of a [`Comb`] may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
 pub struct CombOptions {
     /// Most half-spaces of each member's set, at least the `2 n` of a box.
     pub half_spaces: usize,

@@ -44,7 +44,6 @@ pub struct DecomposedConstrained;
 /// What a [`DCz`] filter may spend. The options affect tightness and time, never validity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
 pub struct DCzOptions {
     /// Most constraints of a set after a call.
     pub constraints: usize,

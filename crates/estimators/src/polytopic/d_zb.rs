@@ -43,7 +43,6 @@ pub struct DecomposedBundle;
 /// What a [`DZb`] filter may spend. The options affect tightness and time, never validity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
 pub struct DZbOptions {
     /// Most members of a bundle after a call, at least one.
     pub members: usize,

@@ -64,7 +64,6 @@ pub struct VertexPolytopes;
 /// What a [`Vh`] filter may spend. The options affect tightness and time, never validity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
 pub struct VhOptions {
     /// Most vertices of a set after a call, at least the `2^n` of a box.
     pub vertices: usize,

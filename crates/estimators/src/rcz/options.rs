@@ -22,6 +22,7 @@ pub enum Tier {
 /// | slow, many states, weakly measured | [`slow`](Self::slow) | `2 n` | every 10th step | linear programs |
 /// | little time | [`cheap`](Self::cheap) | `n + 1` | every step | - |
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RczOptions {
     /// Most constraints after a reduction.
     pub constraints: usize,
@@ -34,6 +35,7 @@ pub struct RczOptions {
     /// Passes end when no side of the hull has shrunk by this share.
     pub least_shrink: f64,
     /// Propagation of boxes through measurement and invariant before each pass, for functions that have a tape.
+    #[cfg_attr(feature = "serde", serde(with = "crate::remote::StoredContraction"))]
     pub contraction: ForwardBackward,
     /// What hulls and reductions may cost.
     pub tier: Tier,

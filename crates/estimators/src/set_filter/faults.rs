@@ -1,7 +1,8 @@
 //! [`FaultPolicy`]: how a filter goes on after a proven contradiction.
 
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, Part, SetError, SupportFunction, Zonotope};
+use scalars::rounding::add_up;
+use setrep::{ConstrainedZonotope, Part, SetError, SupportFunction, VPolytope, Workspace, Zonotope, ZonotopeBundle};
 
 use super::{Method, SetFilter};
 use crate::error::{check_finite, check_size};
@@ -73,6 +74,25 @@ impl Inflate for Zonotope {
 impl Inflate for ConstrainedZonotope {
     fn inflate(&mut self, radii: &[f64]) -> Result<(), SetError> {
         self.add_box(&around_zero(radii))
+    }
+}
+
+/// Member by member.
+impl Inflate for ZonotopeBundle {
+    fn inflate(&mut self, radii: &[f64]) -> Result<(), SetError> {
+        self.add_box(&around_zero(radii), &mut Workspace::new())
+    }
+}
+
+/// The remainder grows.
+impl Inflate for VPolytope {
+    fn inflate(&mut self, radii: &[f64]) -> Result<(), SetError> {
+        let fits = self.dim() == radii.len();
+        let larger = |(held, &more): (&f64, &f64)| add_up(*held, more);
+        let remainder: Vec<f64> = self.remainder().iter().zip(radii).map(larger).collect();
+        // A wrong length is refused by name.
+        *self = Self::with_remainder(self.vertices().clone(), if fits { &remainder } else { radii })?;
+        Ok(())
     }
 }
 

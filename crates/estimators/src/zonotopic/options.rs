@@ -24,6 +24,7 @@ pub enum StripForm {
 /// | ZMV, ZFO | [`ZonotopeOptions::zmv`], [`ZonotopeOptions::zfo`] |
 /// | ZMV+F, ZFO+F | [`feasible`](Self::feasible) given |
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ZonotopeOptions {
     /// How the dynamics are enclosed in a prediction, which needs `C1` on the hull.
     pub extension: Extension,

@@ -11,6 +11,7 @@ use crate::{EstimatorError, Evidence, Guarantee, System};
 
 /// Options of a [`Zf`] or [`LinearizedZf`]. They affect tightness and time, never validity.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ZfOptions {
     /// How an intersection with a strip is chosen: `Volume` (34)-(37), `Segments` (38)-(40), or `Determinant`.
     pub rule: StripRule,
@@ -18,6 +19,7 @@ pub struct ZfOptions {
     pub tighten: bool,
     /// How the strips of a [`Zf`] are enclosed: `Natural` evaluates (31) apart from the linear part, so that an output that is nearly
     /// affine hardly cuts at all; `MeanValue` and `Taylor` know better.
+    #[cfg_attr(feature = "serde", serde(with = "crate::remote::StoredForm"))]
     pub strips: Form,
     /// Most generators after an update: the order `phi` of the paper; at least as many as states.
     pub generators: usize,
@@ -214,10 +216,14 @@ fn cut<const LINEARIZED: bool>(
         let noises = equation.noise.map_or(0, Zonotope::dim);
         let domain =
             Domain::new(&stacked.sides, &stacked.point).with_parameters(equation.parameters).with_noises(noises);
-        let strips = enclosure
-            .enclose(form, equation.relation.function(), &domain, bounds)
-            .and_then(|()| enclosure.rows_into(n, equation.values, rows));
-        match strips {
+        let function = equation.relation.function();
+        let strips = if LINEARIZED {
+            enclosure.enclose(form, function, &domain, bounds)
+        } else {
+            // An output that is not smooth enough goes by its range, one that was not measured need not be defined.
+            enclosure.enclose_at_best(form, function, &domain, bounds)
+        };
+        match strips.and_then(|()| enclosure.rows_into(n, equation.values, rows)) {
             // A function that is defined nowhere in the hull has no value there to be measured.
             Err(BoundError::Set(SetError::EmptySet)) if !LINEARIZED => {
                 let evidence = Evidence::Propagation { hull: state.hull.clone() };
@@ -230,7 +236,8 @@ fn cut<const LINEARIZED: bool>(
         direction.extend(rows.directions().columns().map(|column| column[row]));
         let range = rows.ranges()[row];
         let sets = &mut bounds.sets;
-        let whole = !options.tighten && range.is_bounded();
+        // The row of an output that is not smooth has no direction: its range is right or wrong as it is.
+        let whole = !options.tighten && range.is_bounded() && direction.iter().any(|&a| a != 0.0);
         if whole && !LINEARIZED {
             let reach = state.set.reach(direction, sets)?;
             if reach.disjoint(&range) {

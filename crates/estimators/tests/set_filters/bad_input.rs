@@ -6,8 +6,8 @@ use scalars::{Interval, Scalar};
 use setrep::{ConstrainedZonotope, Matrix, TemplateWidths, Zonotope};
 
 use crate::plants::{
-    AttitudeOutput, Draw, PlanarOutput, PlanarStep, attitude, attitude_run, attitude_start, cube, planar, planar_run,
-    planar_start, radius, value,
+    AttitudeOutput, Draw, PlanarOutput, PlanarStep, attitude, attitude_run, attitude_start, cube, exactly, holds, planar,
+    planar_run, planar_start, radius, value,
 };
 use crate::support::Random;
 
@@ -125,20 +125,14 @@ fn budgets_of_nothing_still_enclose() {
                 let mut filter = Rcz::new(attitude(0.15), attitude_start(), options).unwrap();
                 for (x, y, u) in &run {
                     filter.update(y).unwrap();
-                    assert!(
-                        filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)),
-                        "{options:?}"
-                    );
+                    assert!(holds(filter.hull(), x), "{options:?}");
                     filter.predict(u).unwrap();
                 }
                 assert!(radius(filter.hull()) < 1.0, "{options:?}");
                 let mut filter = Rcz::new(planar(), planar_start(), options).unwrap();
                 for (x, y) in &planar_run {
                     filter.update(y).unwrap();
-                    assert!(
-                        filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)),
-                        "{options:?}"
-                    );
+                    assert!(holds(filter.hull(), &exactly(x)), "{options:?}");
                     filter.reduce().unwrap();
                     if options.tier == Tier::LinearPrograms {
                         assert!(filter.enclosure().num_constraints() <= options.constraints, "{options:?}");

@@ -17,7 +17,7 @@ fn a_long_run_keeps_its_memory_and_its_radius() {
         let [v, w] = [(); 2].map(|()| [draw.noise(0.4, &mut random), draw.noise(0.4, &mut random)]);
         let y = value(&PlanarOutput, &[&x[..], &v].concat(), &[]);
         let info = allocation_counter::measure(|| filter.update(&y).unwrap());
-        let inside = filter.hull().iter().zip(&x).all(|(side, x)| side.inflate(1e-12).contains(*x));
+        let inside = filter.hull().iter().zip(&x).all(|(side, x)| side.contains(*x));
         assert!(inside, "step {k}: {x:?} {:?}", filter.hull());
         largest = largest.max(radius(filter.hull()));
         sum += radius(filter.hull());

@@ -1,12 +1,14 @@
 //! Fault policies: what is kept, what is gone on from, and what is refused.
 
 use estimators::{
-    Estimator, EstimatorError, FaultPolicy, Inflate, Rcz, RczOptions, Recovery, ZonotopeFilter, ZonotopeOptions,
+    DZb, DZbOptions, Estimator, EstimatorError, FaultPolicy, Inflate, Method, Rcz, RczOptions, Recovery, Relation,
+    SetFilter, System, Vh, VhOptions, ZonotopeFilter, ZonotopeOptions,
 };
+use nonlin_bounds::function;
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, SetError, Zonotope};
+use setrep::{ConstrainedZonotope, SetError, VPolytope, Zonotope, ZonotopeBundle};
 
-use crate::plants::{Draw, attitude, attitude_run, attitude_start, cube, planar, planar_run, planar_start};
+use crate::plants::{Draw, attitude, attitude_run, attitude_start, cube, holds, planar, planar_run, planar_start};
 use crate::support::Random;
 
 fn some(y: &[f64]) -> Vec<Option<f64>> {
@@ -14,7 +16,7 @@ fn some(y: &[f64]) -> Vec<Option<f64>> {
 }
 
 /// A filter that has converged, the measurement it is to get and the state behind that.
-fn converged(random: &mut Random) -> (Rcz, Vec<f64>, Vec<f64>) {
+fn converged(random: &mut Random) -> (Rcz, Vec<f64>, Vec<Interval>) {
     let run = attitude_run(0.15, Draw::Uniform, 10, random);
     let mut filter = Rcz::new(attitude(0.15), attitude_start(), RczOptions::fast(4)).unwrap();
     for (_, y, u) in &run[..10] {
@@ -40,7 +42,7 @@ fn an_outlier_is_dropped_and_the_prediction_kept() {
         let policy = FaultPolicy::Reset(attitude_start());
         assert_eq!(filter.update_or_recover(&some(&y), &[], &policy).unwrap(), None);
         assert_eq!(filter.state(), plain.state());
-        assert!(filter.hull().iter().zip(&x).all(|(side, &x)| side.inflate(1e-12).contains(x)));
+        assert!(holds(filter.hull(), &x));
     }
 }
 
@@ -156,4 +158,29 @@ fn bad_policies_and_bad_input_change_nothing() {
     let mut set = Zonotope::from_box(&[0.0], &[1.0]).unwrap();
     set.inflate(&[0.5]).unwrap();
     assert!(set.interval_hull()[0].contains(1.5));
+}
+
+/// Polytopes and bundles are inflated as well: every filter has every policy.
+#[test]
+fn every_form_of_sets_is_inflated() {
+    fn inflated<M: Method<Set: Inflate>>(mut filter: SetFilter<M>) {
+        let before = filter.hull().to_vec();
+        let fault = filter.update_or_recover(&[Some(2.0)], &[], &FaultPolicy::KeepPrediction).unwrap().unwrap();
+        assert_eq!((fault.recovery, filter.hull()), (Recovery::Dropped, &*before));
+        // Only two boxes hold a state that was measured so.
+        let policy = FaultPolicy::Inflate { radii: vec![0.3, 0.1], attempts: 3 };
+        let fault = filter.update_or_recover(&[Some(2.0)], &[], &policy).unwrap().unwrap();
+        assert_eq!(fault.recovery, Recovery::Inflated { times: 2 });
+        assert!(filter.hull()[0].contains(1.5) && filter.hull()[1].contains(1.0), "{:?}", filter.hull());
+        assert!(filter.hull()[0].lo() > 1.3 && filter.hull()[0].hi() < 1.7, "{:?}", filter.hull());
+    }
+    let noise = || cube(1, 0.01);
+    let walk = Relation::new(function!(|[x, y, w]: 3| -> 2 { [x + w, y] }));
+    let seen = Relation::new(function!(|[x, y, v]: 3| -> 1 { [x + y.scale(0.5) + v] }));
+    let system = || System::new(walk.clone(), noise(), seen.clone(), noise()).unwrap();
+    let sides = [Interval::ZERO.inflate(1.0); 2];
+    inflated(Vh::new(system(), VPolytope::from_intervals(&sides).unwrap(), VhOptions::tight()).unwrap());
+    let bundle = ZonotopeBundle::new(vec![cube(2, 1.0)]).unwrap();
+    inflated(DZb::new(system(), bundle, DZbOptions::new(2)).unwrap());
+    inflated(Rcz::new(system(), cube(2, 1.0).into(), RczOptions::fast(2)).unwrap());
 }

@@ -124,7 +124,7 @@ fn filtered(run: &Run, options: LinearOptions) -> LinearCz {
         if k > 0 {
             filter.predict(&run.inputs[k - 1]).unwrap();
         }
-        filter.update_with(y, &run.inputs[k]).unwrap();
+        filter.update_some(y, &run.inputs[k]).unwrap();
         let hull = filter.hull();
         assert!(hull.iter().zip(&run.truth[k]).all(|(side, &x)| side.contains(x)), "{hull:?} {:?}", run.truth[k]);
         let point: Vec<Interval> = run.truth[k].iter().map(|&x| Interval::point(x)).collect();
@@ -316,7 +316,7 @@ fn outliers_are_refuted_and_bad_input_changes_nothing() {
             Err(EstimatorError::NotFinite { what: "measurement", index: 0, .. })
         ));
         assert!(matches!(filter.update(&[0.5, 0.5]), Err(EstimatorError::Size { what: "measurement", .. })));
-        assert!(matches!(filter.update_with(&[None], &[1.0]), Err(EstimatorError::Size { .. })));
+        assert!(matches!(filter.update_some(&[None], &[1.0]), Err(EstimatorError::Size { .. })));
         assert!(matches!(filter.predict(&[1.0]), Err(EstimatorError::Size { what: "input", .. })));
         assert!(filter.step(&[1.0], &[0.5]).is_err());
         assert_eq!(filter.state(), &before);

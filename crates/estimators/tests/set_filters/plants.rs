@@ -122,9 +122,7 @@ pub(crate) fn planar_start() -> ConstrainedZonotope {
 pub(crate) fn attitude(noise: f64) -> System {
     let (step, output) = (Relation::new(AttitudeStep), Relation::new(AttitudeOutput));
     let system = System::new(step, cube(3, 3e-3), output, cube(6, noise)).unwrap();
-    // The simulated quaternions are of length 1 up to rounding only.
-    let one = Interval::ONE.inflate(1e-13);
-    system.with_invariant(Relation::new(SquaredNorm), vec![one]).unwrap()
+    system.with_invariant(Relation::new(SquaredNorm), vec![Interval::ONE]).unwrap()
 }
 
 pub(crate) fn attitude_start() -> ConstrainedZonotope {
@@ -143,7 +141,7 @@ pub(crate) enum Draw {
 }
 
 impl Draw {
-    /// A number whose magnitude is proven to be at most `bound`, also after an addition has rounded to `1e-12` of it.
+    /// A number so far within its bound that what rounding adds to it stays within as well.
     pub(crate) fn noise(self, bound: f64, random: &mut Random) -> f64 {
         let bound = bound * (1.0 - 1e-12);
         match self {
@@ -167,7 +165,31 @@ pub(crate) fn value<F: Function>(function: &F, x: &[f64], p: &[f64]) -> Vec<f64>
     y
 }
 
-/// States and measurements of example 5.1, `k = 0..=steps`.
+/// Encloses a function.
+fn enclosed<F: Function>(function: &F, x: &[Interval], p: &[f64]) -> Vec<Interval> {
+    let mut y = vec![Interval::ZERO; function.outputs()];
+    function.eval(x, &exactly(p), &mut y);
+    y
+}
+
+/// A state that is known.
+pub(crate) fn exactly(x: &[f64]) -> Vec<Interval> {
+    x.iter().map(|&x| Interval::point(x)).collect()
+}
+
+/// No side of a box is proven to miss a state.
+pub(crate) fn holds(hull: &[Interval], x: &[Interval]) -> bool {
+    hull.len() == x.len() && hull.iter().zip(x).all(|(side, x)| !side.disjoint(x))
+}
+
+/// The result of a function with additive noises is proven to need none beyond its bounds: they take in what rounding does.
+fn prove<F: Function>(function: &F, x: &[Interval], bound: f64, result: &[f64]) {
+    let noises = function.variables() - x.len();
+    let silent = enclosed(function, &[x, &vec![Interval::ZERO; noises]].concat(), &[]);
+    assert!(silent.iter().zip(result).all(|(value, &y)| (Interval::point(y) - *value).mag() <= bound));
+}
+
+/// States, exactly, and measurements of example 5.1, `k = 0..=steps`.
 pub(crate) fn planar_run(draw: Draw, steps: usize, random: &mut Random) -> Vec<(Vec<f64>, Vec<f64>)> {
     let mut x = vec![5.2, 0.65];
     let mut run = Vec::new();
@@ -176,31 +198,35 @@ pub(crate) fn planar_run(draw: Draw, steps: usize, random: &mut Random) -> Vec<(
         draw.begin_step(random, &first);
         let v = [draw.noise(0.4, random), draw.noise(0.4, random)];
         let y = value(&PlanarOutput, &[&x[..], &v].concat(), &[]);
-        run.push((x.clone(), y));
+        prove(&PlanarOutput, &exactly(&x), 0.4, &y);
         let w = [draw.noise(0.4, random), draw.noise(0.4, random)];
-        x = value(&PlanarStep, &[&x[..], &w].concat(), &[]);
+        let next = value(&PlanarStep, &[&x[..], &w].concat(), &[]);
+        prove(&PlanarStep, &exactly(&x), 0.4, &next);
+        run.push((std::mem::replace(&mut x, next), y));
     }
     run
 }
 
-/// One step of an attitude run: state, measurement, the rates measured for the step that follows.
-pub(crate) type AttitudeSample = (Vec<f64>, Vec<f64>, [f64; 3]);
+/// One step of an attitude run: enclosure of the state, measurement, the rates measured for the step that follows.
+pub(crate) type AttitudeSample = (Vec<Interval>, Vec<f64>, [f64; 3]);
 
-/// States, measurements and inputs of example 5.2, `k = 0..=steps`.
+/// States, measurements and inputs of example 5.2, `k = 0..=steps`: one exact trajectory, which stays on the sphere, in intervals.
 pub(crate) fn attitude_run(noise: f64, draw: Draw, steps: usize, random: &mut Random) -> Vec<AttitudeSample> {
-    let mut x = vec![0.0, 1.0, 0.0, 0.0];
+    let mut x = exactly(&[0.0, 1.0, 0.0, 0.0]);
     let mut run = Vec::new();
     let first = random.clone();
     for k in 0..=steps {
         draw.begin_step(random, &first);
         let v: Vec<f64> = (0..6).map(|_| draw.noise(noise, random)).collect();
-        let y = value(&AttitudeOutput, &[&x[..], &v].concat(), &[]);
+        let middle: Vec<f64> = x.iter().map(Interval::mid).collect();
+        let y = value(&AttitudeOutput, &[&middle[..], &v].concat(), &[]);
+        prove(&AttitudeOutput, &x, noise, &y);
         let w: Vec<f64> = (0..3).map(|_| draw.noise(3e-3, random)).collect();
         let phase = core::f64::consts::TAU / 12.0 * 0.2 * (k + 1) as f64;
         let rates = [0.0, 6.0, 12.0].map(|shift| 0.3 * (phase - shift).sin());
         let u = [rates[0] + w[0], rates[1] + w[1], rates[2] + w[2]];
-        run.push((x.clone(), y, u));
-        x = value(&AttitudeStep, &[&x[..], &w].concat(), &u);
+        let next = enclosed(&AttitudeStep, &[&x[..], &exactly(&w)].concat(), &u);
+        run.push((std::mem::replace(&mut x, next), y, u));
     }
     run
 }

@@ -1,10 +1,13 @@
 //! Single steps of random polynomial systems from states that are floats, against exact rationals.
 
-use estimators::{CzFilter, CzOptions, Estimator, Method, Rcz, RczOptions, Relation, SetFilter, System, Tier};
-use nonlin_bounds::Function;
+use estimators::{
+    CzFilter, CzOptions, Estimator, LinearCz, LinearOptions, LinearSystem, Method, Rcz, RczOptions, Relation,
+    SetFilter, System, Tier, Zf, ZfOptions, ZonotopeFilter, ZonotopeOptions,
+};
+use nonlin_bounds::{Form, Function};
 use num_rational::BigRational;
 use scalars::{Interval, Scalar};
-use setrep::{Complexity, ConstrainedZonotope, Matrix, SupportFunction, Workspace, Zonotope};
+use setrep::{Complexity, ConstrainedZonotope, Matrix, StripRule, SupportFunction, Workspace, Zonotope};
 
 use crate::support::{Random, cases};
 
@@ -178,12 +181,25 @@ fn check<S: SupportFunction>(hull: &[Interval], set: &S, x: &[BigRational], rand
 }
 
 /// One update and one prediction of a filter.
-fn single_step<M: Method>(mut filter: SetFilter<M>, case: &Case, random: &mut Random, what: &str) {
-    let state: Vec<BigRational> = case.x.iter().map(|&x| rational(x)).collect();
-    filter.update(&case.y).unwrap_or_else(|error| panic!("update, {what}: {error}"));
-    check(filter.hull(), filter.enclosure(), &state, random, &format!("update, {what}"));
+fn single_step<M: Method>(filter: SetFilter<M>, case: &Case, random: &mut Random, what: &str) {
+    single_step_of(filter, SetFilter::hull, (&case.x, &case.y, &case.next), random, what);
+}
+
+/// The same for any filter with a hull, from a state, its measurement and the state that follows.
+fn single_step_of<E>(
+    mut filter: E,
+    hull: impl Fn(&E) -> &[Interval],
+    (x, y, next): (&[f64], &[f64], &[BigRational]),
+    random: &mut Random,
+    what: &str,
+) where
+    E: Estimator<Input = [f64], Output = [f64], Set: SupportFunction>,
+{
+    let state: Vec<BigRational> = x.iter().map(|&x| rational(x)).collect();
+    filter.update(y).unwrap_or_else(|error| panic!("update, {what}: {error}"));
+    check(hull(&filter), filter.enclosure(), &state, random, &format!("update, {what}"));
     filter.predict(&[]).unwrap_or_else(|error| panic!("prediction, {what}: {error}"));
-    check(filter.hull(), filter.enclosure(), &case.next, random, &format!("prediction, {what}"));
+    check(hull(&filter), filter.enclosure(), next, random, &format!("prediction, {what}"));
 }
 
 const SEED: u64 = 61;
@@ -223,6 +239,93 @@ fn single_steps_of_czmv_and_czfo_contain_the_exact_states() {
         let options = if index % 2 == 0 { CzOptions::czmv(limit) } else { CzOptions::czfo(limit) };
         let filter = CzFilter::new(case.system.clone(), case.set.clone(), options).unwrap();
         single_step(filter, &case, &mut random, &format!("seed {SEED}+1, case {index}"));
+        steps += 1;
+    }
+    println!("{steps} steps");
+    assert!(steps >= cases(10_000));
+}
+
+#[test]
+fn single_steps_of_zonotope_filters_contain_the_exact_states() {
+    let mut random = Random::new(SEED + 2);
+    let (mut steps, mut cut) = (0, 0);
+    for index in 0..cases(10_500) {
+        let Some(case) = Case::random(&mut random) else { continue };
+        let set = case.set.unconstrained().clone();
+        let what = format!("seed {SEED}+2, case {index}");
+        let before: f64 = case.set.unconstrained().interval_hull().iter().map(Interval::width).sum();
+        let mut narrowed = |hull: &[Interval]| {
+            cut += usize::from(hull.iter().map(Interval::width).sum::<f64>() < 0.9 * before);
+        };
+        if index % 2 == 0 {
+            let options = if index % 4 == 0 { ZonotopeOptions::zmv(8) } else { ZonotopeOptions::zfo(8) };
+            let options = if index % 8 < 4 { options.with_rows() } else { options };
+            let filter = ZonotopeFilter::new(case.system.clone(), set, options).unwrap();
+            let mut updated = filter.clone();
+            updated.update(&case.y).unwrap();
+            narrowed(updated.hull());
+            single_step(filter, &case, &mut random, &what);
+        } else {
+            let options = ZfOptions {
+                strips: [Form::MeanValue, Form::Taylor, Form::Natural][index % 3],
+                tighten: index % 4 == 1,
+                ..ZfOptions::new(8).with_rule([StripRule::Volume, StripRule::Segments][index / 4 % 2])
+            };
+            let filter = Zf::new(case.system.clone(), set, options).unwrap();
+            let mut updated = filter.clone();
+            updated.update(&case.y).unwrap();
+            narrowed(updated.hull());
+            single_step(filter, &case, &mut random, &what);
+        }
+        steps += 1;
+    }
+    println!("{steps} steps, {cut} updates narrowed the hull by a tenth");
+    assert!(steps >= cases(10_000));
+    assert!(cut * 8 >= steps, "{cut}");
+}
+
+/// `[A B]` as the coefficients of sums of monomials.
+fn linear(a: &Matrix, b: &Matrix) -> Polynomials {
+    let variables = a.cols() + b.cols();
+    let monomial = |k: usize, a: f64| (a, (0..variables).map(|j| i32::from(j == k)).collect());
+    let row = |i: usize| {
+        let states = (0..a.cols()).map(|k| monomial(k, a[(i, k)]));
+        states.chain((0..b.cols()).map(|k| monomial(a.cols() + k, b[(i, k)]))).collect()
+    };
+    Polynomials { variables, outputs: (0..a.rows()).map(row).collect() }
+}
+
+#[test]
+fn single_steps_of_the_linear_filter_contain_the_exact_states() {
+    let mut random = Random::new(SEED + 3);
+    let mut steps = 0;
+    for index in 0..cases(10_500) {
+        let (n, m, noises) = (1 + random.below(3), 1 + random.below(2), 1 + random.below(2));
+        let mut matrix = |rows: usize, cols: usize| {
+            let entries: Vec<f64> = (0..rows * cols).map(|_| random.unit()).collect();
+            Matrix::from_column_slice(rows, cols, &entries).unwrap()
+        };
+        let (a, b_w, c) = (matrix(n, n), matrix(n, noises), matrix(m, n));
+        let (set, x) = zonotope(&vec![0.25; n], n + random.below(3), 1.0, &mut random);
+        let (w, w_at) = zonotope(&vec![0.0; noises], noises + 1, 0.125, &mut random);
+        let bound = 0.5_f64.powi(random.below(12) as i32);
+        let exact: Vec<BigRational> = x.iter().map(|&x| rational(x)).collect();
+        let measurement = linear(&c, &Matrix::identity(m));
+        let drawn = (0..m).map(|_| rational(bound * coordinate(&mut random)));
+        let variables: Vec<BigRational> = exact.iter().cloned().chain(drawn).collect();
+        let y: Option<Vec<f64>> = (0..m).map(|i| measured(&measurement, i, &exact, &variables, bound)).collect();
+        let Some(y) = y else { continue };
+        let variables: Vec<BigRational> = exact.into_iter().chain(w_at.iter().map(|&w| rational(w))).collect();
+        let dynamics = linear(&a, &b_w);
+        let next: Vec<BigRational> = (0..n).map(|i| dynamics.exact(i, &variables)).collect();
+
+        let v = Zonotope::from_box(&vec![0.0; m], &vec![bound; m]).unwrap();
+        let still = ConstrainedZonotope::from_box(&vec![0.0; n], &vec![0.0; n]).unwrap();
+        let system = LinearSystem { b_w, w: w.into(), ..LinearSystem::new(a, still, c, v.into()).unwrap() };
+        let limit = (index % 2 == 0).then_some(Complexity { generators: 6, constraints: 2 });
+        let filter = LinearCz::new(system, set.into(), LinearOptions { limit, ..LinearOptions::default() }).unwrap();
+        let what = format!("seed {SEED}+3, case {index}");
+        single_step_of(filter, LinearCz::hull, (&x, &y, &next), &mut random, &what);
         steps += 1;
     }
     println!("{steps} steps");

@@ -5,7 +5,7 @@ use nonlin_bounds::Function;
 use scalars::Scalar;
 use setrep::{ConstrainedZonotope, Matrix, Outline, Workspace, Zonotope};
 
-use crate::plants::{Draw, PlanarStep, attitude, attitude_run, attitude_start, cube, radius, value};
+use crate::plants::{Draw, PlanarStep, attitude, attitude_run, attitude_start, cube, holds, radius, value};
 use crate::support::{Random, cases};
 
 /// The linear measurement of paper 004, equation (13): variables `(x, v)`.
@@ -64,7 +64,7 @@ fn mean_areas(step: &Relation, runs: usize) -> [f64; 5] {
         for sum in &mut sums {
             let v = [(); 2].map(|()| Draw::Uniform.noise(0.4, &mut random));
             filter.update(&value(&LinearOutput, &[&x[..], &v].concat(), &[])).unwrap();
-            assert!(filter.hull().iter().zip(&x).all(|(side, &x)| side.inflate(1e-12).contains(x)));
+            assert!(filter.hull().iter().zip(&x).all(|(side, &x)| side.contains(x)));
             *sum += area(filter.enclosure(), &mut workspace) / runs as f64;
             filter.predict(&[]).unwrap();
             let w = [(); 2].map(|()| Draw::Uniform.noise(0.1, &mut random));
@@ -100,7 +100,7 @@ fn attitudes_converge_with_noisy_measurements() {
                 filter.predict(&run[k - 1].2).unwrap();
             }
             filter.update(y).unwrap();
-            assert!(filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)));
+            assert!(holds(filter.hull(), x));
         }
         radius(filter.hull())
     };

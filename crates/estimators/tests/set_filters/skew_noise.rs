@@ -44,7 +44,7 @@ fn mean_radius(system: System, run: &[(Vec<f64>, Vec<f64>)]) -> f64 {
     let mut sum = 0.0;
     for (x, y) in run {
         filter.update(y).unwrap();
-        assert!(filter.hull().iter().zip(x).all(|(side, &x)| side.inflate(1e-12).contains(x)));
+        assert!(filter.hull().iter().zip(x).all(|(side, &x)| side.contains(x)));
         sum += radius(filter.hull());
         filter.predict(&[]).unwrap();
     }

@@ -57,10 +57,18 @@ impl QuadraticEnclosure {
         copies: Copies,
         workspace: &mut Workspace,
     ) -> Result<Self, BoundError> {
-        let curvature = ConstrainedZonotope::from_box(&vec![0.0; f.outputs()], &vec![0.0; f.outputs()])?;
-        let mut enclosure = Self { affine: AffineEnclosure::new(), curvature, ranges: Vec::new() };
+        let mut enclosure = Self::unknown(f.outputs())?;
         enclosure.renew(f, set, domain, copies, workspace)?;
         Ok(enclosure)
+    }
+
+    /// An enclosure of nothing, to be [renewed](Self::renew_for) for a function with so many outputs.
+    ///
+    /// # Errors
+    /// [`BoundError::Set`] for no outputs.
+    pub fn unknown(outputs: usize) -> Result<Self, BoundError> {
+        let curvature = ConstrainedZonotope::from_box(&vec![0.0; outputs], &vec![0.0; outputs])?;
+        Ok(Self { affine: AffineEnclosure::new(), curvature, ranges: Vec::new() })
     }
 
     /// [`new`](Self::new) in place; allocates nothing within the capacity of enclosure and workspace.
@@ -75,15 +83,35 @@ impl QuadraticEnclosure {
         copies: Copies,
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
+        self.renew_for(|_| true, f, set, (domain, copies), workspace)
+    }
+
+    /// [`renew`](Self::renew) for the outputs that are `wanted`. The others need be neither smooth nor bounded, and nothing is known of them:
+    /// their `[e]` is the whole line, so that there is no [`image`](Self::image), and [`intersect`](Self::intersect) takes no bounds on them.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new) for the outputs that are wanted; the enclosure is then unchanged.
+    pub fn renew_for<S: GeneratorSet>(
+        &mut self,
+        wanted: impl Fn(usize) -> bool,
+        f: &dyn DynFunction,
+        set: &S,
+        (domain, copies): (&Domain<'_>, Copies),
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
         domain.check(f)?;
         BoundError::check_size(Operand::Variables, f.variables(), set.dim())?;
         domain.evaluate(f, Order::Hessian, workspace)?;
-        BoundError::check_smooth(&workspace.over_box, Smoothness::C2)?;
+        let required = Smoothness::C2;
+        let rough = |&(output, found): &(usize, Smoothness)| wanted(output) && found < required;
+        if let Some((output, found)) = workspace.over_box.smoothness().iter().copied().enumerate().find(rough) {
+            return Err(BoundError::NotSmooth { output, required, found });
+        }
         workspace.point.clear();
         workspace.point.extend(domain.at.iter().map(|&x| Interval::point(x)));
         evaluate(f, Order::Jacobian, &workspace.point, domain.parameters, &mut workspace.at_point)?;
         let mut parts = core::mem::take(&mut workspace.quadratic);
-        let result = self.build(&mut parts, f.outputs(), set, domain, copies, workspace);
+        let result = self.build(&wanted, &mut parts, set, (domain, copies), workspace);
         workspace.quadratic = parts;
         result
     }
@@ -154,12 +182,8 @@ impl QuadraticEnclosure {
         if kept == 0 {
             return Ok(());
         }
-        self.affine.shifts_into(|i| bounded_by(values[i], self.ranges[i]), states, states, workspace)?;
-        let mut row = 0;
-        workspace.offsets.retain(|_| {
-            row += 1;
-            says(row - 1)
-        });
+        let bounds = |i: usize| says(i).then(|| bounded_by(values[i], self.ranges[i]));
+        self.affine.shifts_into(bounds, states, states, workspace)?;
         let outputs = || (0..m).filter(|&i| says(i)).enumerate();
         let mut map = core::mem::take(&mut workspace.map);
         let mut other = workspace.constrained.take().unwrap_or_else(|| set.clone());
@@ -184,15 +208,14 @@ impl QuadraticEnclosure {
     /// Overwrites the enclosure, given the derivatives in the workspace.
     fn build<S: GeneratorSet>(
         &mut self,
+        wanted: &dyn Fn(usize) -> bool,
         parts: &mut Parts,
-        m: usize,
         set: &S,
-        domain: &Domain<'_>,
-        copies: Copies,
+        (domain, copies): (&Domain<'_>, Copies),
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
         let (body, constrained) = set.body();
-        let n = body.dim();
+        let (n, m) = (body.dim(), workspace.over_box.outputs());
         parts.split(body);
         let at = if copies == Copies::Shared { body.center() } else { domain.at };
         parts.boxes(domain, body.center());
@@ -206,6 +229,10 @@ impl QuadraticEnclosure {
         workspace.offsets.clear();
         let size = n * (n + 1) / 2;
         for i in 0..m {
+            if !wanted(i) {
+                workspace.offsets.push(Interval::ENTIRE);
+                continue;
+            }
             let hessian = &workspace.over_box.hessians()[i * size..(i + 1) * size];
             let gradient = &workspace.at_point.jacobian()[i * n..(i + 1) * n];
             parts.cross(hessian);

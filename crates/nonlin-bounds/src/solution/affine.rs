@@ -161,7 +161,7 @@ impl AffineEnclosure {
     ) -> Result<(), BoundError> {
         let states = set.dim();
         self.check_solution(states, values.dim())?;
-        self.shifts_into(|_| Interval::ZERO, states, states, workspace)?;
+        self.shifts_into(|_| Some(Interval::ZERO), states, states, workspace)?;
         self.cut(set, workspace, |other, _, _| {
             other.clone_from(values);
             Ok(())
@@ -187,7 +187,7 @@ impl AffineEnclosure {
         let (m, states) = (self.outputs(), set.dim());
         self.check_solution(states, values.len())?;
         BoundError::check_size(Operand::Variables, self.variables(), states + noise.dim())?;
-        self.shifts_into(|i| values[i], states, self.variables(), workspace)?;
+        self.shifts_into(|i| Some(values[i]), states, self.variables(), workspace)?;
         self.cut(set, workspace, |other, map, workspace| {
             other.clone_from(noise);
             workspace.row.clear();
@@ -220,20 +220,24 @@ impl AffineEnclosure {
         sum
     }
 
-    /// Writes `Y_i` minus the fixed parts to the offsets of the workspace.
+    /// Writes `Y_i` minus the fixed parts to the offsets of the workspace, for the outputs that have a value.
     pub(crate) fn shifts_into(
         &self,
-        values: impl Fn(usize) -> Interval,
+        values: impl Fn(usize) -> Option<Interval>,
         states: usize,
         boxed: usize,
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
         workspace.offsets.clear();
-        workspace.offsets.extend((0..self.outputs()).map(|i| values(i) - self.fixed_part(i, states, boxed)));
-        match workspace.offsets.iter().position(|shift| !shift.is_bounded()) {
-            Some(output) => Err(BoundError::UnboundedResult { output }),
-            None => Ok(()),
+        for output in 0..self.outputs() {
+            let Some(value) = values(output) else { continue };
+            let shift = value - self.fixed_part(output, states, boxed);
+            if !shift.is_bounded() {
+                return Err(BoundError::UnboundedResult { output });
+            }
+            workspace.offsets.push(shift);
         }
+        Ok(())
     }
 
     /// The generalised intersection of `set` through `C` with the set that `build` makes, moved by the offsets in the workspace.

@@ -19,8 +19,8 @@ pub struct Case {
     pub runs: usize,
     /// Steps at which radii are listed.
     pub listed: &'static [usize],
-    /// Whether the yardstick is computed at the listed steps.
-    pub with_ideal: bool,
+    /// Number of runs for which the yardstick is computed at the listed steps: the first ones.
+    pub ideals: usize,
 }
 
 impl Case {
@@ -53,10 +53,18 @@ impl Outcome {
         let simulate = |rng: &mut _| plant::simulate(n, kind, steps, rng);
         let cells = study(context, &label, runs, simulate, &contenders(n), &[RADIUS])?;
         // The same label: the same noises.
-        let ideal = monte_carlo::run(context, &label, if case.with_ideal { runs } else { 0 }, |_, rng| {
+        let ideal = monte_carlo::run(context, &label, case.ideals.min(runs), |_, rng| {
             ideal::radii(n, &simulate(rng)?, case.listed)
         })?;
         Ok(Self { case, cells, ideal })
+    }
+
+    /// Mean ratio of a filter's radius to that of the yardstick at the `index`-th listed step, over the runs that have one.
+    #[must_use]
+    pub fn ratio_to_ideal(&self, cell: &Cell, index: usize) -> Option<f64> {
+        let radii = cell.at(0, *self.case.listed.get(index)?);
+        let ratios: Vec<f64> = self.ideal.iter().zip(radii).map(|(ideal, radius)| radius / ideal[index]).collect();
+        crate::results::mean_and_sd(&ratios).map(|(mean, _)| mean)
     }
 
     /// Mean radius of the yardstick at the `index`-th listed step; none if it was not computed.

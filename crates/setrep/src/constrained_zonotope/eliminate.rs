@@ -1,12 +1,13 @@
 //! Constraint elimination: one constraint fewer, a larger set.
 
 use scalars::Interval;
+use scalars::rounding::UNIT_ROUNDOFF;
 
 use super::ConstrainedZonotope;
 use super::rescale::{product, residual};
 use super::score::Choice;
-use crate::bounds::add_lengths;
-use crate::{Matrix, SetError, Workspace};
+use crate::bounds::{add_lengths, product_sum_bound};
+use crate::{SetError, Workspace};
 
 impl ConstrainedZonotope {
     /// Encloses the set in one with at most `max_constraints` constraints and no more generators than before.
@@ -75,30 +76,47 @@ impl ConstrainedZonotope {
     }
 
     /// Solves row `p` for `xi_j` and substitutes it everywhere.
+    ///
+    /// A column loses a multiple of the gains; each of its entries `x - g a` is rounded twice, by at most `u (|g a| + |x - g a|)` but for
+    /// underflow, and a row sums that.
     fn eliminate(&mut self, j: usize, p: usize, workspace: &mut Workspace) -> Result<(), SetError> {
-        let (middle, radius) = (self.ranges[p].mid(), self.ranges[p].rad());
-        let row = &mut workspace.objective;
-        row.clear();
-        row.extend((0..self.num_generators()).map(|k| self.constraints.col(k)[p]));
-        let pivot = row[j];
-        for i in 0..self.dim() {
-            let gain = self.generators().col(j)[i] / pivot;
-            if gain == 0.0 && self.generators().col(j)[i] == 0.0 {
+        let (n, middle, radius) = (self.dim(), self.ranges[p].mid(), self.ranges[p].rad());
+        let pivot = self.constraints.col(j)[p];
+        let Workspace { scales: gains, row_sums: magnitudes, .. } = workspace;
+        gains.clear();
+        gains.extend(self.generators().col(j).iter().chain(self.constraints.col(j)).map(|x| x / pivot));
+        magnitudes.clear();
+        magnitudes.resize(gains.len(), 0.0);
+        let mut products = 0;
+        for k in (0..self.num_generators()).filter(|&k| k != j) {
+            let a = self.constraints.col(k)[p];
+            if a != 0.0 {
+                products += 1;
+                subtract(self.body.generators.col_mut(k), a, &gains[..n], &mut magnitudes[..n]);
+                subtract(self.constraints.col_mut(k), a, &gains[n..], &mut magnitudes[n..]);
+            }
+        }
+        // Two sums and two products a column, and those of what is added here.
+        let rounding =
+            |magnitude: f64| product_sum_bound(UNIT_ROUNDOFF * magnitude, products, 2 * products + 2);
+        for i in 0..n {
+            let entry = &mut self.body.generators.col_mut(j)[i];
+            if *entry == 0.0 {
                 continue;
             }
-            let moved = Interval::point(self.body.center[i]) + Interval::point(gain).scale(middle);
-            let error = subtract_row(&mut self.body.generators, i, j, gain, row, radius);
+            let error = add_lengths(rounding(magnitudes[i]), replace(entry, gains[i], pivot, radius));
+            let moved = Interval::point(self.body.center[i]) + Interval::point(gains[i]).scale(middle);
             self.body.center[i] = moved.mid();
             let r = &mut self.body.remainder[i];
             *r = add_lengths(add_lengths(*r, moved.rad()), error);
         }
         for k in (0..self.ranges.len()).filter(|&k| k != p) {
-            let gain = self.constraints.col(j)[k] / pivot;
-            if gain == 0.0 && self.constraints.col(j)[k] == 0.0 {
+            let entry = &mut self.constraints.col_mut(j)[k];
+            if *entry == 0.0 {
                 continue;
             }
-            let error = subtract_row(&mut self.constraints, k, j, gain, row, radius);
-            self.ranges[k] = (self.ranges[k] - Interval::point(gain).scale(middle)).inflate(error);
+            let error = add_lengths(rounding(magnitudes[n + k]), replace(entry, gains[n + k], pivot, radius));
+            self.ranges[k] = (self.ranges[k] - Interval::point(gains[n + k]).scale(middle)).inflate(error);
         }
         self.remove_row(p);
         if let Some(row) = self.ranges.iter().position(|range| range.is_empty() || !range.is_bounded()) {
@@ -110,21 +128,19 @@ impl ConstrainedZonotope {
     }
 }
 
-/// Row `i` of `matrix` minus `gain` times `row`, for the terms `xi`; in column `j`, which that makes zero but for rounding, the
-/// coefficient `radius gain` of `zeta`. Returns a bound of the sum of all rounding errors.
-fn subtract_row(matrix: &mut Matrix, i: usize, j: usize, gain: f64, row: &[f64], radius: f64) -> f64 {
-    let mut errors = 0.0;
-    for (k, &a) in row.iter().enumerate() {
-        let entry = &mut matrix.col_mut(k)[i];
-        let (value, error) = residual(*entry, gain, a);
-        if k == j {
-            let (slack, rounding) = product(radius, gain);
-            errors = add_lengths(errors, add_lengths(add_lengths(value.abs(), error), rounding));
-            *entry = slack;
-        } else {
-            errors = add_lengths(errors, error);
-            *entry = value;
-        }
+/// Subtracts `a` times the gains from a column, and adds the magnitudes of products and differences to `magnitudes`.
+fn subtract(column: &mut [f64], a: f64, gains: &[f64], magnitudes: &mut [f64]) {
+    for ((x, gain), magnitude) in column.iter_mut().zip(gains).zip(magnitudes) {
+        let product = gain * a;
+        *x -= product;
+        *magnitude += product.abs() + x.abs();
     }
-    errors
+}
+
+/// The coefficient `radius gain` of `zeta` in place of an entry that becomes zero but for rounding; returns a bound of both roundings.
+fn replace(entry: &mut f64, gain: f64, pivot: f64, radius: f64) -> f64 {
+    let (left, error) = residual(*entry, gain, pivot);
+    let (slack, rounding) = product(radius, gain);
+    *entry = slack;
+    add_lengths(add_lengths(left.abs(), error), rounding)
 }

@@ -49,10 +49,15 @@ impl ConstrainedZonotope {
     pub fn rescale(&mut self, workspace: &mut Workspace) -> Result<(), SetError> {
         self.check_magnitudes()?;
         for _ in 0..2 {
+            let mut changed = false;
             for i in 0..self.ranges.len() {
-                if !self.rescale_by_row(i, workspace) {
-                    return Ok(());
+                match self.rescale_by_row(i, workspace) {
+                    Some(by_row) => changed |= by_row,
+                    None => return Ok(()),
                 }
+            }
+            if !changed {
+                break;
             }
         }
         self.clip_ranges();
@@ -90,37 +95,50 @@ impl ConstrainedZonotope {
         self.ranges[i].inflate(sub_up(norm, a.abs())) / Interval::point(a)
     }
 
-    /// Rescales all coordinates by one row, from its values at entry; `false` if the row proves the set empty.
-    fn rescale_by_row(&mut self, i: usize, workspace: &mut Workspace) -> bool {
+    /// Rescales all coordinates by one row, from its values at entry, and says whether that changed any; `None` if the row proves the set
+    /// empty.
+    fn rescale_by_row(&mut self, i: usize, workspace: &mut Workspace) -> Option<bool> {
+        if !self.may_bind(i) {
+            return Some(false);
+        }
         let norm = self.row_bound(i);
         let unit = Interval::new(-1.0, 1.0).unwrap_or(Interval::ENTIRE);
         let mut implied = core::mem::take(&mut workspace.ranges);
         implied.clear();
         implied.extend((0..self.num_generators()).map(|j| self.implied(i, j, norm).intersection(unit)));
         let consistent = !implied.iter().any(Interval::is_empty);
-        if consistent {
-            self.substitute(&implied, workspace);
-        }
+        let changed = consistent && self.substitute(&implied, workspace);
         workspace.ranges = implied;
-        consistent
+        consistent.then_some(changed)
     }
 
-    /// `xi_j = m_j + h_j xi_j'` for the coordinates whose range `m_j +- h_j` is worth it.
+    /// Whether row `i` may leave some `xi_j` a range that is worth it, or none: that takes `|A_i|_1 + min(hi, -lo) < 2 |A_ij|`.
+    fn may_bind(&self, i: usize) -> bool {
+        let entries = self.constraints.columns().map(|column| column[i].abs());
+        let (norm, largest) = entries.fold((0.0, 0.0_f64), |(norm, largest), a| (norm + a, largest.max(a)));
+        let reach = self.ranges[i].hi().min(-self.ranges[i].lo());
+        let slack = norm + reach - 2.0 * largest * (1.0 - 0.25 * (1.0 - WORTHWHILE));
+        // Overflow gives NaN.
+        slack.is_nan() || slack <= 0.0
+    }
+
+    /// `xi_j = m_j + h_j xi_j'` for the coordinates whose range `m_j +- h_j` is worth it; `false` if none is.
     ///
     /// A shift `G m` or `A m` may cancel most of a center or a range, so it is one compensated sum for all of them.
-    fn substitute(&mut self, implied: &[Interval], workspace: &mut Workspace) {
-        let Workspace { objective: factors, row_sums: entries, .. } = workspace;
-        let worthwhile = |range: &&Interval| range.rad() < WORTHWHILE;
-        if !implied.iter().any(|range| worthwhile(&range)) {
-            return;
+    fn substitute(&mut self, implied: &[Interval], workspace: &mut Workspace) -> bool {
+        let Workspace { objective: factors, row_sums: entries, selected, .. } = workspace;
+        selected.clear();
+        selected.extend((0..implied.len()).filter(|&j| implied[j].rad() < WORTHWHILE));
+        if selected.is_empty() {
+            return false;
         }
         factors.clear();
         factors.push(1.0);
-        factors.extend(implied.iter().map(|range| Some(range).filter(worthwhile).map_or(0.0, Interval::mid)));
+        factors.extend(selected.iter().map(|&j| implied[j].mid()));
         for i in 0..self.dim() {
             entries.clear();
             entries.push(self.body.center[i]);
-            entries.extend(self.body.generators.columns().map(|column| column[i]));
+            entries.extend(selected.iter().map(|&j| self.body.generators.col(j)[i]));
             let (value, error) = dot_compensated(factors, entries);
             self.body.center[i] = value;
             self.body.remainder[i] = add_lengths(self.body.remainder[i], error);
@@ -129,7 +147,7 @@ impl ConstrainedZonotope {
             let mut shifted = |end: f64| {
                 entries.clear();
                 entries.push(end);
-                entries.extend(self.constraints.columns().map(|column| -column[i]));
+                entries.extend(selected.iter().map(|&j| -self.constraints.col(j)[i]));
                 let (value, error) = dot_compensated(factors, entries);
                 Interval::point(value).inflate(error)
             };
@@ -138,9 +156,10 @@ impl ConstrainedZonotope {
                 (lo, hi) => shifted(lo).hull(shifted(hi)),
             };
         }
-        for (j, range) in implied.iter().enumerate().filter(|(_, range)| worthwhile(range)) {
-            self.shrink(j, range.rad());
+        for &j in selected.iter() {
+            self.shrink(j, implied[j].rad());
         }
+        true
     }
 
     /// Shrinks column `j` by a factor.

@@ -11,7 +11,8 @@
 
 use super::ConstrainedZonotope;
 use crate::Workspace;
-use crate::cholesky::{factorise, solve};
+use crate::bounds::add_abs_row_sums;
+use crate::cholesky::{factorise, solve_lower_rows, solve_upper_end};
 
 /// Weight of the change of coordinates, in units of the hull.
 const WEIGHT: f64 = 0.1;
@@ -36,89 +37,102 @@ pub(super) enum Choice {
 
 impl ConstrainedZonotope {
     /// The elimination of least estimated loss; there is at least one constraint.
+    ///
+    /// The constraints come before the dimensions in `S`, so that of `S^-1 l` only the last entries are needed: `l' S^-1 l` is the
+    /// squared length of half a solution.
     pub(super) fn least_loss(&self, workspace: &mut Workspace) -> Choice {
         let (n, rows, columns) = (self.dim(), self.num_constraints(), self.num_generators());
-        let size = n + rows;
-        // Columns of L in units of the hull and of the rows' reach, and 1 / units.
-        let Workspace { frame: lift, eigen: factor, scales: units, coordinates: solution, remainder: bounds, .. } =
-            workspace;
-        bounds.clear();
-        bounds.extend((0..rows).map(|i| self.row_bound(i)));
+        let (size, candidates) = (n + rows, columns + rows);
+        let Workspace { frame: lift, eigen: factor, scales: units, coordinates: solved, row_sums, .. } = workspace;
+        // 1 / units, by the hull and the rows' reach.
+        row_sums.clear();
+        row_sums.resize(size, 0.0);
+        add_abs_row_sums(self.constraints.as_slice(), &mut row_sums[..rows]);
+        add_abs_row_sums(self.generators().as_slice(), &mut row_sums[rows..]);
         units.clear();
-        units.resize(size, 0.0);
-        for j in 0..columns {
-            let entries = self.generators().col(j).iter().chain(self.constraints.col(j));
-            units.iter_mut().zip(entries).for_each(|(sum, x)| *sum += x.abs());
-        }
-        units.iter_mut().for_each(|sum| *sum = if *sum > 1e-300 { 1.0 / *sum } else { 0.0 });
+        units.extend(row_sums.iter().map(|&sum| if sum > 1e-300 { 1.0 / sum } else { 0.0 }));
         lift.clear();
         for j in 0..columns {
-            let entries = self.generators().col(j).iter().chain(self.constraints.col(j));
+            let entries = self.constraints.col(j).iter().chain(self.generators().col(j));
             lift.extend(entries.zip(units.iter()).map(|(x, unit)| x * unit));
         }
-        factor.clear();
-        factor.resize(size * size, 0.0);
-        for column in lift.chunks_exact(size) {
-            for k in 0..size {
-                for i in k..size {
-                    factor[k * size + i] += column[i] * column[k];
-                }
-            }
-        }
+        gram(lift, size, factor);
         for i in 0..size {
-            let slack = if i < n { WEIGHT } else { (self.ranges[i - n].rad() * units[i]).powi(2) };
+            let slack = if i < rows { (self.ranges[i].rad() * units[i]).powi(2) } else { WEIGHT };
             // The last term keeps dependent rows factorable.
             factor[i * size + i] += slack + 1e-13;
         }
         factorise(factor, size);
 
+        // Row by row the entries of all candidates: columns, then ranges.
+        solved.clear();
+        for i in 0..size {
+            solved.extend(lift.iter().skip(i).step_by(size));
+            let radius = |k: usize| if k == i { self.ranges[k].rad() * units[k] } else { 0.0 };
+            solved.extend((0..rows).map(radius));
+        }
+        solve_lower_rows(factor, size, solved);
+        let (inner, outer) = solved.split_at_mut(rows * candidates);
+        let rests = row_sums;
+        rests.clear();
+        rests.resize(candidates, 1.0);
+        for row in inner.chunks_exact(candidates).chain(outer.chunks_exact(candidates)) {
+            rests.iter_mut().zip(row).for_each(|(rest, x)| *rest -= x * x);
+        }
+        solve_upper_end(factor, size, n, outer);
+
         let mut best = (f64::INFINITY, Choice::Row(rows - 1));
-        let mut consider = |excess: f64, column: &[f64], choice: Choice| {
-            solution.clear();
-            solution.extend_from_slice(column);
-            solve(factor, size, solution);
-            let moved = solution[..n].iter().map(|x| x * x).sum::<f64>().sqrt();
-            let rest: f64 = 1.0 - column.iter().zip(solution.iter()).map(|(l, x)| l * x).sum::<f64>();
-            let loss = excess * moved / rest.max(1e-12);
+        let mut consider = |candidate: usize, excess: f64, choice: Choice| {
+            let moved = outer.iter().skip(candidate).step_by(candidates).map(|x| x * x).sum::<f64>().sqrt();
+            let loss = excess * moved / rests[candidate].max(1e-12);
             // NaN fails the comparison.
             if loss < best.0 {
                 best = (loss, choice);
             }
         };
         for j in 0..columns {
-            if let Some((excess, row)) = self.excess(j, units, bounds) {
-                let column = &lift[j * size..(j + 1) * size];
-                consider(excess, column, Choice::Generator { column: j, row });
+            if let Some((excess, row)) = self.excess(j, units) {
+                consider(j, excess, Choice::Generator { column: j, row });
             }
         }
-        let column = &mut workspace.row_sums;
         for i in 0..rows {
             let (middle, radius) = (self.ranges[i].mid(), self.ranges[i].rad());
-            if radius > 0.0 {
-                column.clear();
-                column.resize(size, 0.0);
-                column[n + i] = radius * units[n + i];
-                let excess = ((bounds[i] + middle.abs()) / radius - 1.0).max(0.0);
-                consider(ROW_SHARE * excess, column, Choice::Row(i));
+            if radius > 0.0 && units[i] > 0.0 {
+                let excess = ((1.0 / units[i] + middle.abs()) / radius - 1.0).max(0.0);
+                consider(columns + i, ROW_SHARE * excess, Choice::Row(i));
             }
         }
         best.1
     }
 
-    /// By how much `xi_j` may exceed `[-1, 1]` as far as single rows (of 1-norm `bounds`) tell, and the row in which its entry is largest (in `units`).
-    fn excess(&self, j: usize, units: &[f64], bounds: &[f64]) -> Option<(f64, usize)> {
-        let n = self.dim();
-        let weight = |i: usize| self.constraints.col(j)[i].abs() * units[n + i];
-        let row = (0..self.num_constraints()).max_by(|&i, &k| weight(i).total_cmp(&weight(k)))?;
-        if weight(row) < 1e-9 {
-            return None;
+    /// By how much `xi_j` may exceed `[-1, 1]` as far as single rows tell, and the row in which its entry is largest; `units` has `1 / |A_i|_1`.
+    fn excess(&self, j: usize, units: &[f64]) -> Option<(f64, usize)> {
+        let (mut lo, mut hi, mut largest) = (f64::NEG_INFINITY, f64::INFINITY, (1e-9, None));
+        for (i, ((&a, &unit), range)) in self.constraints.col(j).iter().zip(units).zip(&self.ranges).enumerate() {
+            let weight = a.abs() * unit;
+            if weight < 1e-9 {
+                continue;
+            }
+            if weight >= largest.0 {
+                largest = (weight, Some(i));
+            }
+            let others = 1.0 / unit - a.abs();
+            let ends = [(range.lo() - others) / a, (range.hi() + others) / a];
+            lo = lo.max(ends[0].min(ends[1]));
+            hi = hi.min(ends[0].max(ends[1]));
         }
-        let (mut lo, mut hi) = (f64::NEG_INFINITY, f64::INFINITY);
-        for i in (0..self.num_constraints()).filter(|&i| weight(i) >= 1e-9) {
-            let implied = self.implied(i, j, bounds[i]);
-            lo = lo.max(implied.lo());
-            hi = hi.min(implied.hi());
+        largest.1.map(|row| ((hi - 1.0).max(-1.0 - lo).max(0.0), row))
+    }
+}
+
+/// Lower triangle of `L L'` (column-major), from the columns of `L`.
+fn gram(lift: &[f64], size: usize, product: &mut Vec<f64>) {
+    product.clear();
+    product.resize(size * size, 0.0);
+    for column in lift.chunks_exact(size) {
+        for (k, &scale) in column.iter().enumerate().filter(|(_, scale)| **scale != 0.0) {
+            let target = &mut product[k * size + k..(k + 1) * size];
+            target.iter_mut().zip(&column[k..]).for_each(|(sum, x)| *sum += scale * x);
         }
-        Some(((hi - 1.0).max(-1.0 - lo).max(0.0), row))
     }
 }

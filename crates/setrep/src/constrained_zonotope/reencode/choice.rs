@@ -10,15 +10,23 @@ use crate::{ConstrainedZonotope, SetError, Workspace};
 /// Directions with a larger squared cosine, in units of the hull, count as one: a cosine of 0.9995.
 const PARALLEL: f64 = 0.9995 * 0.9995;
 
+/// A candidate that is chosen has seen all rows there will be.
+const CHOSEN: usize = usize::MAX;
+
 /// Buffers of the choice.
+///
+/// A row only narrows the result, so that the ratio of a candidate's widths only rises: one that was found before some of the rows were
+/// added is a lower bound. The candidate of least bound is brought up to date until the least is; most are never looked at again.
 #[derive(Debug, Default, Clone)]
 pub(super) struct Choice {
     /// Indices of the candidates taken, in order.
     pub(super) chosen: Vec<usize>,
-    /// `G'd`, candidate after candidate.
+    /// `G'd`, candidate after candidate; those of the chosen are the rows.
     coefficients: Vec<f64>,
     /// Half-widths of the result along the candidates, about its center: down and up.
     reach: Vec<(f64, f64)>,
+    /// With how many rows they were found.
+    seen: Vec<usize>,
     negated: Vec<f64>,
     breakpoints: Vec<(f64, f64)>,
 }
@@ -39,16 +47,22 @@ impl ConstrainedZonotope {
         }
         while choice.chosen.len() < options.constraints {
             let Some(k) = choice.widest(ranges, options.stop_ratio) else { break };
+            if choice.seen[k] < choice.chosen.len() {
+                match options.widths {
+                    TemplateWidths::SingleRows => choice.narrow_by_rows(k, columns, &self.ranges),
+                    TemplateWidths::LinearPrograms => {
+                        choice.narrow_by_programs(k, columns, prepared(&mut workspace.solver)?);
+                    }
+                }
+                continue;
+            }
+            choice.seen[k] = CHOSEN;
             choice.chosen.push(k);
             self.push_row(&candidates[k * n..(k + 1) * n], ranges[k], &mut workspace.objective)?;
-            let range = self.ranges[self.ranges.len() - 1];
-            match options.widths {
-                TemplateWidths::SingleRows => choice.narrow_by(&workspace.objective, range),
-                TemplateWidths::LinearPrograms => {
-                    let solver = prepared(&mut workspace.solver)?;
-                    solver.push_row(&workspace.objective, range.lo(), range.hi()).map_err(refused)?;
-                    choice.narrow_by_programs(solver);
-                }
+            if options.widths == TemplateWidths::LinearPrograms {
+                let range = self.ranges[self.ranges.len() - 1];
+                let solver = prepared(&mut workspace.solver)?;
+                solver.push_row(&workspace.objective, range.lo(), range.hi()).map_err(refused)?;
             }
         }
         Ok(())
@@ -84,47 +98,45 @@ impl Choice {
             }
             self.reach.push((sum, sum));
         }
+        self.seen.clear();
+        self.seen.resize(self.reach.len(), 0);
     }
 
-    /// The candidate of least ratio of its widths over the set and over the result, if that is below `stop`.
+    /// The candidate of least ratio of its widths over the set and, as far as it is known, over the result, if that is below `stop`.
     fn widest(&self, ranges: &[Interval], stop: f64) -> Option<usize> {
         let mut best = (stop, None);
         for (k, (range, (below, above))) in ranges.iter().zip(&self.reach).enumerate() {
             let ratio = range.width() / (below + above);
             // A ratio of nothing to nothing is NaN, and not below.
-            if ratio < best.0 && !self.chosen.contains(&k) {
+            if ratio < best.0 && self.seen[k] != CHOSEN {
                 best = (ratio, Some(k));
             }
         }
         best.1
     }
 
-    /// What a new row `a` leaves of the widths, by itself.
-    fn narrow_by(&mut self, a: &[f64], range: Interval) {
-        let Self { coefficients, reach, breakpoints, .. } = self;
-        if a.is_empty() {
-            return;
+    /// The widths along candidate `k` over the new rows, each by itself.
+    fn narrow_by_rows(&mut self, k: usize, columns: usize, ranges: &[Interval]) {
+        let Self { chosen, coefficients, reach, seen, breakpoints, .. } = self;
+        let of = |k: usize| &coefficients[k * columns..(k + 1) * columns];
+        let (below, above) = &mut reach[k];
+        for (&row, range) in chosen.iter().zip(ranges).skip(seen[k]) {
+            *above = above.min(one_row(of(k), of(row), range.lo(), range.hi(), breakpoints));
+            *below = below.min(one_row(of(k), of(row), -range.hi(), -range.lo(), breakpoints));
         }
-        for (f, (below, above)) in coefficients.chunks_exact(a.len()).zip(reach) {
-            *above = above.min(one_row(f, a, range.lo(), range.hi(), breakpoints));
-            *below = below.min(one_row(f, a, -range.hi(), -range.lo(), breakpoints));
-        }
+        seen[k] = chosen.len();
     }
 
-    /// The widths over all rows that the solver holds.
-    fn narrow_by_programs(&mut self, solver: &mut boxlp::Solver) {
-        let columns = solver.problem().variables();
-        if columns == 0 {
-            return;
-        }
+    /// The widths along candidate `k` over all rows that the solver holds.
+    fn narrow_by_programs(&mut self, k: usize, columns: usize, solver: &mut boxlp::Solver) {
+        let f = &self.coefficients[k * columns..(k + 1) * columns];
         let mut bound = |f: &[f64]| solver.maximize(f).map_or(f64::INFINITY, |solution| solution.bound);
-        for (k, f) in self.coefficients.chunks_exact(columns).enumerate().filter(|(k, _)| !self.chosen.contains(k)) {
-            let (below, above) = &mut self.reach[k];
-            self.negated.clear();
-            self.negated.extend(f.iter().map(|f| -f));
-            *above = above.min(bound(f));
-            *below = below.min(bound(&self.negated));
-        }
+        let (below, above) = &mut self.reach[k];
+        self.negated.clear();
+        self.negated.extend(f.iter().map(|f| -f));
+        *above = above.min(bound(f));
+        *below = below.min(bound(&self.negated));
+        self.seen[k] = self.chosen.len();
     }
 }
 
