@@ -172,12 +172,17 @@ fn an_empty_strip_is_a_contradiction() {
 fn orders_below_the_dimension_and_functions_without_derivative_are_refused() {
     let wrong = Zf::new(pendulum(&[0.1, 0.1]), boxed(&[1.0, 1.0]), ZfOptions::new(1)).unwrap_err();
     assert_eq!(wrong, EstimatorError::Set(SetError::TooFewGenerators { max_generators: 1, dim: 2 }));
-    // The square root has no derivative at 0, which lies in the set.
+    // The square root has no derivative at 0, which lies in the set: its range says nothing, and dynamics like it are refused.
     let root = function!(|[x, _y, v]: 3| -> 1 { [x.sqrt() + v] });
     let system = System::new(Relation::new(swing()), boxed(&[0.01]), Relation::new(root), boxed(&[0.1])).unwrap();
     let mut filter = Zf::new(system, Zonotope::from_box(&[1.0, 0.0], &[1.0, 0.1]).unwrap(), ZfOptions::new(9)).unwrap();
+    let before = filter.hull().to_vec();
+    filter.update(&[1.0]).unwrap();
+    assert!(filter.hull().iter().zip(&before).all(|(new, old)| (new.width() - old.width()).abs() < 1e-12));
+    let rooted = function!(|[x, y, w]: 3| -> 2 { [x.sqrt() + w, y] });
+    filter.system_mut().set_dynamics(Relation::new(rooted), boxed(&[0.01])).unwrap();
     let before = filter.state().clone();
-    assert!(matches!(filter.update(&[1.0]).unwrap_err(), EstimatorError::Bound(_)));
+    assert!(matches!(filter.predict(&[]).unwrap_err(), EstimatorError::Bound(_)));
     assert_eq!(filter.state(), &before);
     let generators = Matrix::identity(3);
     assert!(Zf::new(pendulum(&[0.1, 0.1]), Zonotope::new(&[0.0; 3], &generators).unwrap(), ZfOptions::new(9)).is_err());

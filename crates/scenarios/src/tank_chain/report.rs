@@ -125,8 +125,8 @@ fn findings(outcomes: &[Outcome]) -> Vec<String> {
     for outcome in outcomes {
         let label = outcome.case.label();
         for (index, &k) in outcome.case.listed.iter().enumerate() {
-            let ratio = |cell: &Cell| Some((cell, outcome.ratio_to_ideal(cell, index)?));
-            if let Some(ratios) = ratios(outcome.cells.iter().filter_map(ratio)) {
+            let to_ideal = outcome.cells.iter().filter_map(|cell| Some((cell, outcome.ratio_to_ideal(cell, index)?)));
+            if let Some(ratios) = ratios(to_ideal) {
                 findings.push(format!(
                     "{label}: radius at step {k} over that of the yardstick, in the first {} runs: {ratios}.",
                     outcome.ideal.len()
@@ -134,8 +134,7 @@ fn findings(outcomes: &[Outcome]) -> Vec<String> {
             }
             let noted = NOTED_IDEALS.iter().find(|(n, step, _)| (*n, *step) == (outcome.case.n, k));
             if let (Some((.., ideal)), NoiseKind::Uniform) = (noted, outcome.case.kind) {
-                let radius = |cell: &'_ Cell| cell.curve(0)[k] / ideal;
-                if let Some(ratios) = ratios(outcome.cells.iter().map(|cell| (cell, radius(cell)))) {
+                if let Some(ratios) = ratios(outcome.cells.iter().map(|cell| (cell, cell.curve(0)[k] / ideal))) {
                     findings.push(format!(
                         "{label}: radius at step {k} over the yardstick of an independent computation with other noises, {ideal}: {ratios}."
                     ));

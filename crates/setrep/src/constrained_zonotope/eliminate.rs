@@ -39,8 +39,7 @@ impl ConstrainedZonotope {
         self.in_draft(workspace, |draft, workspace| {
             while draft.num_constraints() > max_constraints {
                 draft.rescale(workspace)?;
-                draft.remove_inactive_generators();
-                draft.drop_loose_rows();
+                draft.remove_inactive(&mut workspace.coordinates);
                 if draft.num_constraints() > max_constraints {
                     match draft.least_loss(workspace) {
                         Choice::Row(i) => draft.remove_row(i),
@@ -48,7 +47,9 @@ impl ConstrainedZonotope {
                     }
                 }
             }
-            draft.remove_inactive_generators();
+            draft.check_magnitudes()?;
+            draft.clip_ranges();
+            draft.remove_inactive(&mut workspace.coordinates);
             Ok(())
         })
     }
@@ -75,7 +76,7 @@ impl ConstrainedZonotope {
         copy
     }
 
-    /// Solves row `p` for `xi_j` and substitutes it everywhere.
+    /// Solves row `p` for `xi_j` and substitutes it everywhere; magnitudes are not checked, ranges not clipped yet.
     ///
     /// A column loses a multiple of the gains; each of its entries `x - g a` is rounded twice, by at most `u (|g a| + |x - g a|)` but for
     /// underflow, and a row sums that.
@@ -122,8 +123,6 @@ impl ConstrainedZonotope {
         if let Some(row) = self.ranges.iter().position(|range| range.is_empty() || !range.is_bounded()) {
             return Err(SetError::Overflow { row });
         }
-        self.check_magnitudes()?;
-        self.clip_ranges();
         Ok(())
     }
 }

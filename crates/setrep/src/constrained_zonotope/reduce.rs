@@ -51,9 +51,9 @@ impl ConstrainedZonotope {
         // Each step leaves the set unchanged if it fails, and is valid by itself: the last one can only fail by overflow.
         let mut before = self.copy_into(workspace.backup.take());
         let steps = |set: &mut Self, workspace: &mut Workspace| -> Result<(), SetError> {
-            set.remove_inactive_generators();
+            set.remove_inactive(&mut workspace.coordinates);
             set.rescale(workspace)?;
-            set.remove_inactive_generators();
+            set.remove_inactive(&mut workspace.coordinates);
             set.eliminate_constraints(limit.constraints, workspace)?;
             if set.num_generators() > limit.generators {
                 set.eliminate_constraints(limit.generators - set.dim(), workspace)?;
@@ -98,7 +98,7 @@ impl ConstrainedZonotope {
         let result = lift.reduce(method, max_generators, workspace).and_then(|()| self.adopt(&lift, n));
         workspace.lift = Some(lift);
         result?;
-        self.remove_inactive_generators();
+        self.remove_inactive(&mut workspace.coordinates);
         self.clip_ranges();
         Ok(())
     }

@@ -27,7 +27,12 @@ impl ConstrainedZonotope {
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn remove_inactive_generators(&mut self) {
-        self.merge_equal_generators();
+        self.remove_inactive(&mut Vec::new());
+    }
+
+    /// [`remove_inactive_generators`](Self::remove_inactive_generators) with a buffer.
+    pub(super) fn remove_inactive(&mut self, lengths: &mut Vec<f64>) {
+        self.merge_equal_generators(lengths);
         for j in 0..self.num_generators() {
             if self.generators().col(j).iter().any(|&g| g != 0.0) {
                 continue;
@@ -56,25 +61,31 @@ impl ConstrainedZonotope {
         constraints.truncate_cols(kept);
     }
 
-    /// Of generators with equal or opposite columns, zeroes the second and doubles the first (exact).
-    fn merge_equal_generators(&mut self) {
-        for j in 0..self.num_generators() {
-            for k in j + 1..self.num_generators() {
-                if self.same_column(j, k, 1.0) || self.same_column(j, k, -1.0) {
+    /// Of generators with equal or opposite columns, zeroes the second and doubles the first (exact). Such columns have the same length,
+    /// bit for bit, so that few are compared.
+    fn merge_equal_generators(&mut self, lengths: &mut Vec<f64>) {
+        let entries = |j: usize| self.generators().col(j).iter().chain(self.constraints.col(j));
+        lengths.clear();
+        lengths.extend((0..self.num_generators()).map(|j| entries(j).map(|x| x.abs()).sum::<f64>()));
+        for j in 0..lengths.len() {
+            for k in j + 1..lengths.len() {
+                let alike = lengths[j] == lengths[k] && lengths[j] > 0.0 && lengths[j] < f64::MAX / 2.0;
+                if alike && (self.same_column(j, k, 1.0) || self.same_column(j, k, -1.0)) {
                     self.body.generators.col_mut(k).fill(0.0);
                     self.constraints.col_mut(k).fill(0.0);
                     self.body.generators.col_mut(j).iter_mut().for_each(|g| *g *= 2.0);
                     self.constraints.col_mut(j).iter_mut().for_each(|a| *a *= 2.0);
+                    (lengths[j], lengths[k]) = (2.0 * lengths[j], 0.0);
                 }
             }
         }
     }
 
-    /// Whether column `k` is `sign` times column `j`, which is not zero and can be doubled.
+    /// Whether column `k` is `sign` times column `j`.
     fn same_column(&self, j: usize, k: usize, sign: f64) -> bool {
         let (g, a) = (self.generators(), &self.constraints);
-        let equal = |x: &[f64], y: &[f64]| x.iter().zip(y).all(|(x, y)| *x == sign * y && x.abs() < f64::MAX / 2.0);
-        equal(g.col(j), g.col(k)) && equal(a.col(j), a.col(k)) && g.col(j).iter().chain(a.col(j)).any(|&x| x != 0.0)
+        let equal = |x: &[f64], y: &[f64]| x.iter().zip(y).all(|(x, y)| *x == sign * y);
+        equal(g.col(j), g.col(k)) && equal(a.col(j), a.col(k))
     }
 
     /// Drops constraints that the others imply, one after the other: rows whose proven maximum and minimum over the rest lie in

@@ -133,9 +133,9 @@ impl ConstrainedZonotope {
         SetError::check_size(Part::Direction, self.dim(), directions.dim())?;
         let mut scratch = core::mem::take(&mut workspace.reencoding);
         let result = self.in_draft(workspace, |draft, workspace| {
-            draft.remove_inactive_generators();
+            draft.remove_inactive(&mut workspace.coordinates);
             draft.rescale(workspace)?;
-            draft.remove_inactive_generators();
+            draft.remove_inactive(&mut workspace.coordinates);
             // About the origin, so that the place of the set costs no accuracy.
             scratch.center.clone_from(&draft.body.center);
             draft.body.center.fill(0.0);
