@@ -9,8 +9,8 @@ use crate::set_study::Contender;
 use crate::set_study::course::{follow, radius};
 use crate::{Context, ScenarioError, monte_carlo};
 
-/// Steps of a run: two re-encodings of the filter that does so every tenth step.
-pub const STEPS: usize = 20;
+/// Steps of a run: enough for a re-encoding of the filter that does so every tenth step.
+pub const STEPS: usize = 12;
 
 /// One run of a filter along a chain.
 #[derive(Clone, Debug)]
