@@ -186,9 +186,12 @@ impl Search<'_> {
     fn offer(&mut self, row: Vec<f64>, residual: Interval) {
         let finite = residual.is_bounded() && row.iter().all(|entry| entry.is_finite());
         let place = self.best.partition_point(|(_, better)| better.width() <= residual.width());
-        if finite && place < self.count.max(1) && self.best.iter().all(|(known, _)| *known != row) {
+        let is_known = self.best[..place].iter().any(|(known, _)| *known == row);
+        if finite && place < self.count.max(1) && !is_known {
+            // The same row with a wider residual says nothing more.
+            self.best.retain(|(known, _)| *known != row);
             self.best.truncate(self.count.max(1) - 1);
-            self.best.insert(place.min(self.best.len()), (row, residual));
+            self.best.insert(place, (row, residual));
         }
     }
 }
