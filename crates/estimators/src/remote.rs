@@ -40,7 +40,9 @@ impl StoredExpansion {
             Expansion::HullCenter => Self::HullCenter,
             Expansion::EliminationCenter => Self::EliminationCenter,
             Expansion::SetCenter => Self::SetCenter,
-            Expansion::Point(_) => return Err(serde::ser::Error::custom("a point given by reference can not be stored")),
+            Expansion::Point(_) => {
+                return Err(serde::ser::Error::custom("a point given by reference can not be stored"));
+            }
         };
         Serialize::serialize(&stored, serializer)
     }

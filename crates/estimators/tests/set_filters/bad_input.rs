@@ -6,8 +6,8 @@ use scalars::{Interval, Scalar};
 use setrep::{ConstrainedZonotope, Matrix, TemplateWidths, Zonotope};
 
 use crate::plants::{
-    AttitudeOutput, Draw, PlanarOutput, PlanarStep, attitude, attitude_run, attitude_start, cube, exactly, holds, planar,
-    planar_run, planar_start, radius, value,
+    AttitudeOutput, Draw, PlanarOutput, PlanarStep, attitude, attitude_run, attitude_start, cube, exactly, holds,
+    planar, planar_run, planar_start, radius, value,
 };
 use crate::support::Random;
 

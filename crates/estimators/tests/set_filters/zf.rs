@@ -70,7 +70,8 @@ fn the_state_stays_inside() {
 /// Outputs that were not measured need not be smooth or defined; one that was goes by its range.
 #[test]
 fn outputs_that_were_not_measured_may_be_anything() {
-    let all = function!(|[angle, rate, v]: 3| -> 3 { [angle.abs() + v, angle + v, (angle - rate - rate.sqr()).sqrt()] });
+    let all =
+        function!(|[angle, rate, v]: 3| -> 3 { [angle.abs() + v, angle + v, (angle - rate - rate.sqr()).sqrt()] });
     let one = function!(|[angle, _rate, v]: 3| -> 1 { [angle + v] });
     let updated = |seen: Relation, y: &[Option<f64>]| {
         let system = System::new(Relation::new(swing()), boxed(&[0.01]), seen, boxed(&[0.05])).unwrap();

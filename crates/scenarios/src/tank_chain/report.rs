@@ -6,8 +6,8 @@ use super::plant::{OUTPUT_NOISE, PROCESS_NOISE, START, TRUE_START};
 use super::scaling::{Point, STEPS, exponent};
 use crate::noise::NoiseKind;
 use crate::report::significant;
-use crate::set_study::{Cell, RADIUS};
 use crate::set_study::rows::{CONTAINMENT, at_steps, containment};
+use crate::set_study::{Cell, RADIUS};
 use crate::{Mode, Report, Results, Row, Table};
 
 /// Radii of the yardstick in an independent computation, by number of tanks and step: means over three runs, one run of thirty tanks.

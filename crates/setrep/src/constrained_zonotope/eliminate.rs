@@ -98,8 +98,7 @@ impl ConstrainedZonotope {
             }
         }
         // Two sums and two products a column, and those of what is added here.
-        let rounding =
-            |magnitude: f64| product_sum_bound(UNIT_ROUNDOFF * magnitude, products, 2 * products + 2);
+        let rounding = |magnitude: f64| product_sum_bound(UNIT_ROUNDOFF * magnitude, products, 2 * products + 2);
         for i in 0..n {
             let entry = &mut self.body.generators.col_mut(j)[i];
             if *entry == 0.0 {
