@@ -26,7 +26,8 @@ pub(crate) enum StoredCopies {
     Separate,
 }
 
-/// The expansion points that need no numbers.
+/// The expansion points that need no numbers, under the names they have.
+#[expect(clippy::enum_variant_names, reason = "these are the names")]
 #[derive(Serialize, Deserialize)]
 pub(crate) enum StoredExpansion {
     HullCenter,
