@@ -133,12 +133,12 @@ fn findings(outcomes: &[Outcome]) -> Vec<String> {
                 ));
             }
             let noted = NOTED_IDEALS.iter().find(|(n, step, _)| (*n, *step) == (outcome.case.n, k));
-            if let (Some((.., ideal)), NoiseKind::Uniform) = (noted, outcome.case.kind) {
-                if let Some(ratios) = ratios(outcome.cells.iter().map(|cell| (cell, cell.curve(0)[k] / ideal))) {
-                    findings.push(format!(
+            if let (Some((.., ideal)), NoiseKind::Uniform) = (noted, outcome.case.kind)
+                && let Some(ratios) = ratios(outcome.cells.iter().map(|cell| (cell, cell.curve(0)[k] / ideal)))
+            {
+                findings.push(format!(
                         "{label}: radius at step {k} over the yardstick of an independent computation with other noises, {ideal}: {ratios}."
                     ));
-                }
             }
         }
     }
