@@ -1,9 +1,11 @@
-//! Monte Carlo runs of all filters on the same noises.
+//! The settings of plant and filters, and what is looked at.
 
-use super::filters::Contender;
-use super::plant::{Rates, Truth, simulate};
-use crate::contest::{Cell, Course, Noise, Watch, follow};
-use crate::{Context, ScenarioError, monte_carlo};
+use rand_chacha::ChaCha8Rng;
+
+use super::filters::{Kind, filter};
+use super::plant::{Rates, simulate};
+use crate::ScenarioError;
+use crate::contest::{Arena, Contestant, Noise, Truth, Watch};
 
 /// Steps of a run, 25 min: with the steps left out, the fit to all four entries of Table 1.
 pub const STEPS: usize = 1500;
@@ -34,64 +36,21 @@ impl Setting {
     pub fn of_the_paper(noise: Noise) -> Self {
         Self { rates: Rates::PerMinute, noise, steps: STEPS }
     }
+}
 
-    /// The truth of run `run`: the same for all filters.
-    ///
-    /// # Errors
-    /// [`ScenarioError::Truth`] if it cannot be proven.
-    pub fn truth(&self, context: &Context<'_>, run: usize) -> Result<Truth, ScenarioError> {
-        let rng = &mut monte_carlo::stream(context.seed, "batch-reactor", run);
-        Ok(simulate(self.rates, self.noise, self.steps, rng)?)
+impl Arena<2, 1> for Setting {
+    const NAME: &'static str = "batch-reactor";
+    type Kind = Kind;
+
+    fn simulate(&self, rng: &mut ChaCha8Rng) -> Result<Truth<2, 1>, ScenarioError> {
+        simulate(self.rates, self.noise, self.steps, rng)
+    }
+
+    fn start(&self, kind: Kind) -> Result<Box<dyn Contestant<2>>, ScenarioError> {
+        filter(kind, self.rates)
     }
 
     fn watch(&self) -> Watch<'static> {
-        Watch { late: DROPPED, marks: &MARKS, limit: LIMIT, stride: 1 }
+        Watch { late: DROPPED, marks: &MARKS, limit: LIMIT, stride: 1, bounded: self.noise.is_bounded() }
     }
-}
-
-/// Runs all filters; one cell each.
-///
-/// # Errors
-/// Truths that cannot be proven; a filter that fails has diverged.
-pub fn study(
-    context: &Context<'_>,
-    runs: usize,
-    setting: Setting,
-    label: &str,
-    contenders: &[Contender],
-) -> Result<Vec<Cell<2>>, ScenarioError> {
-    let by_run = monte_carlo::run(context, &format!("batch-reactor {label}"), runs, |run, _| {
-        let truth = setting.truth(context, run)?;
-        let record = |contender: &Contender| {
-            let mut filter = contender.start(setting.rates)?;
-            follow(&mut *filter, &truth.states, &truth.outputs, &setting.watch(), |_, _| {})
-        };
-        contenders.iter().map(record).collect::<Result<Vec<_>, ScenarioError>>()
-    })?;
-    let cell = |(index, contender): (usize, &Contender)| Cell {
-        label: label.to_owned(),
-        method: contender.method.to_owned(),
-        mode: contender.mode(),
-        runs: by_run.iter().map(|records| records[index].clone()).collect(),
-    };
-    Ok(contenders.iter().enumerate().map(cell).collect())
-}
-
-/// One run of one filter, step by step.
-///
-/// # Errors
-/// As [`study`].
-pub fn course(
-    context: &Context<'_>,
-    setting: Setting,
-    contender: &Contender,
-    run: usize,
-) -> Result<(Truth, Course<2>), ScenarioError> {
-    let truth = setting.truth(context, run)?;
-    let mut course = Vec::with_capacity(setting.steps);
-    let mut filter = contender.start(setting.rates)?;
-    follow(&mut *filter, &truth.states, &truth.outputs, &setting.watch(), |center, half_widths| {
-        course.push((center, half_widths));
-    })?;
-    Ok((truth, course))
 }

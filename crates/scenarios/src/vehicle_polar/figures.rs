@@ -1,7 +1,6 @@
 //! Figure 2 of the paper: one run, estimation errors with their bounds.
 
-use super::plant::Truth;
-use crate::contest::Course;
+use crate::contest::{Course, Truth};
 use crate::figure::{Figure, Look, Panel, Series};
 
 /// Every so many steps are drawn.
@@ -10,12 +9,12 @@ const STRIDE: usize = 4;
 const PERIOD_S: f64 = 0.5;
 
 /// One filter's run under its name.
-pub type Named<'a> = (&'a str, &'a Course<4>);
+pub type Named = (&'static str, Course<4>);
 
 /// Errors of `x1` and `x4`, each with the bounds of all filters (top), and with the statistical ones alone (bottom).
 #[must_use]
-pub fn figure_2(truth: &Truth, courses: &[Named<'_>]) -> Figure {
-    let panel = |title: &str, i: usize, unit: &str, courses: &[Named<'_>]| {
+pub fn figure_2(truth: &Truth<4, 2>, courses: &[Named]) -> Figure {
+    let panel = |title: &str, i: usize, unit: &str, courses: &[Named]| {
         let label = format!("error of x{} [{unit}]", i + 1);
         courses.iter().enumerate().fold(Panel::new(title, "t [s]", label), |panel, (index, (method, course))| {
             let look = Look::nth(index);
@@ -38,7 +37,7 @@ pub fn figure_2(truth: &Truth, courses: &[Named<'_>]) -> Figure {
 
 /// The points of a course that are drawn.
 fn drawn(
-    truth: &Truth,
+    truth: &Truth<4, 2>,
     course: &Course<4>,
     value: impl Fn(&[f64; 4], &([f64; 4], [f64; 4])) -> f64,
 ) -> Vec<(f64, f64)> {

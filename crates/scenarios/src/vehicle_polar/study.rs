@@ -1,9 +1,11 @@
-//! Monte Carlo runs of all filters on the same noises.
+//! The settings of plant and filters, and what is looked at.
 
-use super::filters::{Contender, ESTIMATE};
-use super::plant::{Bearing, Truth, simulate};
-use crate::contest::{Cell, Course, Noise, Watch, follow};
-use crate::{Context, ScenarioError, monte_carlo};
+use rand_chacha::ChaCha8Rng;
+
+use super::filters::{ESTIMATE, Kind, filter};
+use super::plant::{Bearing, simulate};
+use crate::ScenarioError;
+use crate::contest::{Arena, Contestant, Noise, Truth, Watch};
 
 /// Steps of a run, 520 s: errors grow with the range, so the paper's Table 2 says how long its runs were, to about 5 %.
 pub const STEPS: usize = 1040;
@@ -34,61 +36,21 @@ impl Setting {
     pub fn fitted(noise: Noise) -> Self {
         Self { bearing: Bearing::Atan, noise, steps: STEPS, estimate: ESTIMATE }
     }
-
-    /// The truth of run `run`: drawn anew for each, the same for all filters.
-    #[must_use]
-    pub fn truth(&self, context: &Context<'_>, run: usize) -> Truth {
-        simulate(self.bearing, self.noise, self.steps, &mut monte_carlo::stream(context.seed, "vehicle-polar", run))
-    }
-
-    fn watch() -> Watch<'static> {
-        Watch { late: 0, marks: &MARKS, limit: LIMIT, stride: STRIDE }
-    }
 }
 
-/// Runs all filters; one cell each.
-///
-/// # Errors
-/// Those of looking at a set; a filter that fails has diverged.
-pub fn study(
-    context: &Context<'_>,
-    runs: usize,
-    setting: Setting,
-    label: &str,
-    contenders: &[Contender],
-) -> Result<Vec<Cell<4>>, ScenarioError> {
-    let by_run = monte_carlo::run(context, &format!("vehicle-polar {label}"), runs, |run, _| {
-        let truth = setting.truth(context, run);
-        let record = |contender: &Contender| {
-            let mut filter = contender.start(setting.bearing, setting.estimate)?;
-            follow(&mut *filter, &truth.states, &truth.outputs, &Setting::watch(), |_, _| {})
-        };
-        contenders.iter().map(record).collect::<Result<Vec<_>, ScenarioError>>()
-    })?;
-    let cell = |(index, contender): (usize, &Contender)| Cell {
-        label: label.to_owned(),
-        method: contender.method.to_owned(),
-        mode: contender.mode(),
-        runs: by_run.iter().map(|records| records[index].clone()).collect(),
-    };
-    Ok(contenders.iter().enumerate().map(cell).collect())
-}
+impl Arena<4, 2> for Setting {
+    const NAME: &'static str = "vehicle-polar";
+    type Kind = Kind;
 
-/// One run of one filter, step by step.
-///
-/// # Errors
-/// As [`study`].
-pub fn course(
-    context: &Context<'_>,
-    setting: Setting,
-    contender: &Contender,
-    run: usize,
-) -> Result<(Truth, Course<4>), ScenarioError> {
-    let truth = setting.truth(context, run);
-    let mut course = Vec::with_capacity(setting.steps);
-    let mut filter = contender.start(setting.bearing, setting.estimate)?;
-    follow(&mut *filter, &truth.states, &truth.outputs, &Setting::watch(), |center, half_widths| {
-        course.push((center, half_widths));
-    })?;
-    Ok((truth, course))
+    fn simulate(&self, rng: &mut ChaCha8Rng) -> Result<Truth<4, 2>, ScenarioError> {
+        simulate(self.bearing, self.noise, self.steps, rng)
+    }
+
+    fn start(&self, kind: Kind) -> Result<Box<dyn Contestant<4>>, ScenarioError> {
+        filter(kind, self.bearing, self.estimate)
+    }
+
+    fn watch(&self) -> Watch<'static> {
+        Watch { late: 0, marks: &MARKS, limit: LIMIT, stride: STRIDE, bounded: self.noise.is_bounded() }
+    }
 }
