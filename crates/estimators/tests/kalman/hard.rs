@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use estimators::kalman::{ByFunction, Ekf, Flat, Gaussian, Kf, LinearModel, Motion, Sensor, SigmaPoints, Ukf};
 use estimators::{Estimator, EstimatorError};
 use lie_groups::{LieGroup, SE2};
-use nalgebra::{Matrix0x1, Matrix1, Matrix2, Matrix3, SMatrix, SVector, Vector1, Vector2, Vector3};
+use nalgebra::{Matrix1, Matrix2, Matrix3, SMatrix, SVector, Vector1, Vector2, Vector3};
 use nonlin_bounds::function;
 
 use crate::models::{LeftPlane, Planar};
@@ -13,7 +13,12 @@ use crate::models::{LeftPlane, Planar};
 /// Without noises the belief narrows to a line, then to a point; a further output has nothing left to weigh.
 #[test]
 fn noises_may_be_zero_until_nothing_is_left() {
-    let model = LinearModel::new(Matrix2::new(1.0, 0.5, 0.0, 1.0), Matrix2::identity(), Matrix2::identity().fixed_rows::<1>(0).into_owned()).unwrap();
+    let model = LinearModel::new(
+        Matrix2::new(1.0, 0.5, 0.0, 1.0),
+        Matrix2::identity(),
+        Matrix2::identity().fixed_rows::<1>(0).into_owned(),
+    )
+    .unwrap();
     let start = Gaussian::new(Vector2::zeros(), &Matrix2::identity()).unwrap();
     let (q, r) = (Matrix2::zeros(), Matrix1::zeros());
     let mut kf = Kf::new(model, start, &q, &r).unwrap();
@@ -35,7 +40,7 @@ fn noises_may_be_zero_until_nothing_is_left() {
 
 #[test]
 fn a_filter_may_have_no_outputs() {
-    let model = LinearModel::<1, 0, 1>::new(Matrix1::identity(), Matrix1::identity(), Matrix0x1::zeros()).unwrap();
+    let model = LinearModel::<1, 0, 1>::new(Matrix1::identity(), Matrix1::identity(), SMatrix::zeros()).unwrap();
     let start = Gaussian::new(Vector1::new(3.0), &Matrix1::identity()).unwrap();
     let (q, r) = (Matrix1::identity(), SMatrix::<f64, 0, 0>::zeros());
     let mut kf = Kf::new(model, start, &q, &r).unwrap();
@@ -45,7 +50,7 @@ fn a_filter_may_have_no_outputs() {
         ukf.step(&Vector1::zeros(), &[]).unwrap();
     }
     for belief in [kf.belief(), ukf.belief()] {
-        assert!((belief.mean()[0] - 3.0).abs() < 1e-14 && (belief.covariance()[0] - 4.0).abs() < 1e-14);
+        assert!((belief.mean()[0] - 3.0).abs() < 1e-13 && (belief.covariance()[0] - 4.0).abs() < 1e-13);
     }
     assert!(kf.innovation().unwrap().nis() == 0.0);
 }
@@ -57,11 +62,13 @@ fn units_do_not_matter() {
         let c = Matrix2::identity().fixed_rows::<1>(0).into_owned();
         let model = LinearModel::new(Matrix2::new(1.0, 0.5, 0.0, 0.9), Matrix2::identity(), c).unwrap();
         let squared = unit * unit;
-        let start = Gaussian::new(Vector2::new(1.0, 2.0) * unit, &(Matrix2::new(4.0, 1.0, 1.0, 2.0) * squared)).unwrap();
+        let start =
+            Gaussian::new(Vector2::new(1.0, 2.0) * unit, &(Matrix2::new(4.0, 1.0, 1.0, 2.0) * squared)).unwrap();
         let (q, r) = (Matrix2::identity() * (0.5 * squared), Matrix1::new(0.25 * squared));
         let outputs = [1.5, 2.0, 3.5, 3.0].map(|y| [y * unit]);
         let belief = if let Some(points) = points {
-            let mut ukf: Ukf<_, Flat, 2, 1, 2, 1> = Ukf::new(model, start, &q, &r).unwrap().with_points(points).unwrap();
+            let mut ukf: Ukf<_, Flat, 2, 1, 2, 1> =
+                Ukf::new(model, start, &q, &r).unwrap().with_points(points).unwrap();
             outputs.iter().for_each(|y| ukf.step(&Vector2::zeros(), y).unwrap());
             *ukf.belief()
         } else {
@@ -133,7 +140,8 @@ impl Sensor<LeftPlane, 3, 1, 1> for Compass {
 #[test]
 fn angles_wrap() {
     let run = |heading: f64| -> (SE2<f64>, Matrix3<f64>) {
-        let start = Gaussian::<LeftPlane, 3>::new(SE2::from_pose(heading, 0.0, 0.0), &(Matrix3::identity() * 0.09)).unwrap();
+        let start =
+            Gaussian::<LeftPlane, 3>::new(SE2::from_pose(heading, 0.0, 0.0), &(Matrix3::identity() * 0.09)).unwrap();
         let mut ukf: Ukf<_, LeftPlane, 3, 1, 3, 1> =
             Ukf::new(Compass, start, &(Matrix3::identity() * 1e-4), &Matrix1::new(0.01)).unwrap();
         for k in 1..=40 {

@@ -1,19 +1,19 @@
 //! Experiment `batch-reactor`: unscented Kalman filter against zonotopic filter, paper 001, section 5.1.
 //!
-//! Reading order: [`plant`], [`filters`], [`mod@study`], [`figures`], [`tables`] and [`report`].
+//! Reading order: [`plant`], [`filters`], [`setting`], [`figures`], [`tables`] and [`report`].
 
 pub mod figures;
 pub mod filters;
 pub mod plant;
 pub mod report;
-pub mod study;
+pub mod setting;
 pub mod tables;
 
 use crate::contest::{Noise, course, study, timings};
 use crate::{Context, Experiment, Figure, Output, Results, ScenarioError};
 use filters::{Contender, PUBLISHED, VARIANTS};
 use plant::Rates;
-use study::{STEPS_PER_SECOND, Setting};
+use setting::{STEPS_PER_SECOND, Setting};
 
 /// Runs of a cell: full size (the paper's), quick.
 const RUNS: (usize, usize) = (100, 10);

@@ -83,12 +83,7 @@ impl Function for Pressure {
 ///
 /// # Errors
 /// [`ScenarioError::Truth`] if a step or an output cannot be proven.
-pub fn simulate<R: Rng>(
-    rates: Rates,
-    noise: Noise,
-    steps: usize,
-    rng: &mut R,
-) -> Result<Truth<2, 1>, ScenarioError> {
+pub fn simulate<R: Rng>(rates: Rates, noise: Noise, steps: usize, rng: &mut R) -> Result<Truth<2, 1>, ScenarioError> {
     let model = Reaction(rates);
     let mut source = noise.source([NOISE_BOUND]);
     let advance = |step, x: &[f64; 2], _: &mut R| {

@@ -1,6 +1,6 @@
 //! The text of the experiment's report.
 
-use super::study::{DROPPED, STEPS, STEPS_PER_SECOND};
+use super::setting::{DROPPED, STEPS, STEPS_PER_SECOND};
 use super::tables::{CONTAINMENT, HALF_WIDTHS, READINGS};
 use crate::contest::Noise;
 use crate::report::significant;

@@ -1,6 +1,6 @@
 //! Rows of `results.json` from the cells of the studies.
 
-use super::study::MARKS;
+use super::setting::MARKS;
 use crate::Row;
 use crate::contest::{Cell, Paper};
 

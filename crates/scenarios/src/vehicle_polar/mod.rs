@@ -1,18 +1,18 @@
 //! Experiment `vehicle-polar`: unscented Kalman filter against linearised zonotopic filter, paper 001, section 5.2.
 //!
-//! Reading order: [`plant`], [`filters`], [`mod@study`], [`figures`], [`tables`] and [`report`].
+//! Reading order: [`plant`], [`filters`], [`setting`], [`figures`], [`tables`] and [`report`].
 
 pub mod figures;
 pub mod filters;
 pub mod plant;
 pub mod report;
-pub mod study;
+pub mod setting;
 pub mod tables;
 
 use crate::contest::{Cell, Noise, course, study, timings};
 use crate::{Context, Experiment, Output, Results, ScenarioError};
 use filters::{GUARANTEED, PUBLISHED};
-use study::Setting;
+use setting::Setting;
 
 /// Runs of a cell: full size (the paper's), quick.
 const RUNS: (usize, usize) = (100, 4);

@@ -1,6 +1,6 @@
 //! The text of the experiment's report.
 
-use super::study::STEPS;
+use super::setting::STEPS;
 use super::tables::{CONTAINMENT, HALF_WIDTHS, READINGS};
 use crate::report::significant;
 use crate::{Report, Results, Row, Table};

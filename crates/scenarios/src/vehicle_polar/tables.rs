@@ -1,7 +1,7 @@
 //! Rows of `results.json` from the cells of the studies.
 
 use super::plant::Bearing;
-use super::study::{MARKS, Setting};
+use super::setting::{MARKS, Setting};
 use crate::Row;
 use crate::contest::{Cell, Noise, Paper};
 

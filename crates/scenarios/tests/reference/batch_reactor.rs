@@ -3,7 +3,7 @@
 use estimators::Estimator;
 use scenarios::batch_reactor::filters::{Contender, PUBLISHED, VARIANTS, ZfSetting};
 use scenarios::batch_reactor::plant::{Rates, simulate};
-use scenarios::batch_reactor::study::{MARKS, STEPS, Setting};
+use scenarios::batch_reactor::setting::{MARKS, STEPS, Setting};
 use scenarios::contest::{Arena, Cell, Noise, study};
 use scenarios::{Context, monte_carlo};
 

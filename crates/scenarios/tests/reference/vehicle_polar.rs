@@ -7,10 +7,10 @@ use nonlin_bounds::{Function, function};
 use scalars::Interval;
 use scenarios::Context;
 use scenarios::contest::{Arena, Noise, study};
+use scenarios::truth::{exact_sum, proven_within};
 use scenarios::vehicle_polar::filters::{ESTIMATE, GUARANTEED, NOISE_BOUND, PROCESS_BOUND, PUBLISHED, options, system};
 use scenarios::vehicle_polar::plant::{Bearing, Drive, Polar};
-use scenarios::truth::{exact_sum, proven_within};
-use scenarios::vehicle_polar::study::Setting;
+use scenarios::vehicle_polar::setting::Setting;
 use setrep::Zonotope;
 
 /// Shows 2: Table 2 within 6 %; the zonotopic filter, which takes hundreds of times longer, on its first runs: as the unscented filter there.
@@ -56,7 +56,7 @@ fn a_run_is_an_exact_trajectory() {
     for (x, y) in truth.states.iter().zip(&truth.outputs) {
         let mut seen = [Interval::ZERO; 2];
         Polar(Bearing::Atan).eval(&point(x, 2), &[], &mut seen);
-        let bounds = [0.15, 2.618e-3];
+        let bounds = [0.15_f64, 2.618e-3];
         assert!((0..2).all(|i| proven_within(&(Interval::point(y[i]) - seen[i]), bounds[i].next_up())));
     }
 }
