@@ -160,12 +160,6 @@ fn only_outputs_that_are_measured_have_to_be_enclosed() {
         assert_eq!(found.culprits, [Culprit::Measurement(2), Culprit::Prediction]);
         assert!(found.verify_with(filter.system()));
         assert_eq!(filter.state(), &before);
-        // The same outputs unmeasured prove nothing.
-        let mut innocent = (*found).clone();
-        if let estimators::Evidence::Values { required, .. } = &mut innocent.evidence {
-            required.fill(Interval::ENTIRE);
-        }
-        assert!(!innocent.verify_with(filter.system()));
     }
 }
 

@@ -73,6 +73,9 @@ impl<const N: usize> Record<N> {
 /// Center and half widths of one step.
 pub type Course<const N: usize> = Vec<([f64; N], [f64; N])>;
 
+/// The run of a filter under its name.
+pub type Named<const N: usize> = (&'static str, Course<N>);
+
 /// Follows a run; `keep` is called after every step. A filter that contradicts an output goes on without it; one that finds no bounds has
 /// diverged.
 ///

@@ -11,6 +11,6 @@ pub mod truth;
 
 pub use cell::{Cell, Paper};
 pub use contestant::{Contestant, Held, SIGMAS, Zonotopic};
-pub use follow::{Course, Record, Watch, follow};
+pub use follow::{Course, Named, Record, Watch, follow};
 pub use study::{Arena, Contender, course, study, timings};
 pub use truth::{Noise, Source, Truth, measured};

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use rand_chacha::ChaCha8Rng;
 
-use super::{Cell, Contestant, Course, Truth, Watch, follow};
+use super::{Cell, Contestant, Named, Truth, Watch, follow};
 use crate::{Context, Mode, Row, ScenarioError, monte_carlo};
 
 /// Repetitions of a timed run.
@@ -87,7 +87,7 @@ pub fn course<A: Arena<N, M>, const N: usize, const M: usize>(
     context: &Context<'_>,
     arena: &A,
     contenders: &[Contender<A::Kind>],
-) -> Result<(Truth<N, M>, Vec<(&'static str, Course<N>)>), ScenarioError> {
+) -> Result<(Truth<N, M>, Vec<Named<N>>), ScenarioError> {
     let truth = arena.truth(context, 0)?;
     let course = |contender: &Contender<A::Kind>| {
         let mut course = Vec::with_capacity(truth.states.len());
