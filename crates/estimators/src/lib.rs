@@ -19,8 +19,8 @@
 //! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
 //! | [`kalman`]: `Kf`, `Ekf`, `Ukf` | `R^N`, or a Lie group | mean and covariance | statistical |
 //!
-//! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict), [`update`](Estimator::update), or both in one
-//! [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
+//! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict),
+//! [`update`](Estimator::update), or both in one [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave
 //! the set, and the documentation of each filter says how often it did. A rigorous filter that is left without a state says so with
 //! proof, [`EstimatorError::Inconsistent`], and keeps its predicted set.
 //!

@@ -92,7 +92,9 @@ impl Relation {
         {
             return false;
         }
-        if jet.values().iter().zip(required).any(|(value, required)| value.disjoint(required)) {
+        // An output of which nothing is required may be defined nowhere.
+        let mut stated = jet.values().iter().zip(required).filter(|(_, required)| **required != Interval::ENTIRE);
+        if stated.any(|(value, required)| value.disjoint(required)) {
             return true;
         }
         let thorough = ForwardBackward { sweeps: 100, least_gain: 0.0 };

@@ -122,6 +122,21 @@ impl Table {
         table
     }
 
+    /// Result rows of one case as a table: one line per metric, one column per method, both in order of first appearance.
+    pub fn by_method<'a>(rows: impl IntoIterator<Item = &'a Row>) -> Self {
+        let (mut methods, mut lines): (Vec<&str>, Vec<(String, Vec<String>)>) = (Vec::new(), Vec::new());
+        for row in rows {
+            let column = position_or_push(&mut methods, |m| *m == row.method_name(), || row.method_name());
+            let metric = heading_of(row);
+            let line = position_or_push(&mut lines, |(m, _)| *m == metric, || (metric.clone(), Vec::new()));
+            let cells = &mut lines[line].1;
+            cells.resize(cells.len().max(column + 1), String::new());
+            cells[column] = cell_of(row);
+        }
+        let table = Self::new(std::iter::once("metric").chain(methods));
+        lines.into_iter().fold(table, |table, (metric, cells)| table.row(std::iter::once(metric).chain(cells)))
+    }
+
     /// A row's number, its deviation and the paper's number, as [`Table::LEGEND`] says.
     #[must_use]
     pub fn cell(row: &Row) -> String {
@@ -152,6 +167,7 @@ fn heading_of(row: &Row) -> String {
 
 fn cell_of(row: &Row) -> String {
     let mut text = match (row.get_value(), row.get_status()) {
+        (Some(count), _) if matches!(row.unit(), "runs" | "steps") && count.fract() == 0.0 => count.to_string(),
         (Some(value), _) => significant(value, 4),
         (None, Some(Status::Diverged)) => "diverged".to_owned(),
         (None, _) => "-".to_owned(),
@@ -213,6 +229,10 @@ mod tests {
         assert_eq!(table.header, ["row", "method", "mode", "RMSE(x) [m]", "AAR(x) [m]"]);
         assert_eq!(table.rows, [["a|b", "zsmf", "sound", "1.500 ± 0.71 (1.250)", "diverged [3.000]"]]);
         assert!(table.to_markdown().contains("| a\\|b | zsmf |"));
+        let counted = [row("RMSE(x)").value(2.0), row("divergences").value(20.0).metric("divergences", "runs")];
+        let table = Table::by_method(&counted);
+        assert_eq!(table.header, ["metric", "zsmf"]);
+        assert_eq!(table.rows, [["RMSE(x) [m]", "2.000"], ["divergences [runs]", "20"]]);
     }
 
     #[test]

@@ -89,6 +89,13 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - b_part)) + (b - b_part))
 }
 
+/// `a + b` if it is a float.
+#[must_use]
+pub fn exact_sum(a: f64, b: f64) -> Option<f64> {
+    let (sum, error) = two_sum(a, b);
+    (error == 0.0 && sum.is_finite()).then_some(sum)
+}
+
 /// True if every number of the noise interval has absolute value at most `bound`.
 ///
 /// The bound itself is left out, so the noise lies also in the box of a decimal bound that the float `bound` rounds up.

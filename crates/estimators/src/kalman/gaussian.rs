@@ -73,7 +73,7 @@ impl<C: Chart<N>, const N: usize> Gaussian<C, N> {
     /// The standard deviations `sqrt(P_ii)`.
     #[must_use]
     pub fn standard_deviations(&self) -> SVector<f64, N> {
-        SVector::from_fn(|i, _| self.root.row(i).norm())
+        SVector::from_fn(|i, _| self.root.row(i).iter().fold(0.0, |norm: f64, entry| norm.hypot(*entry)))
     }
 
     /// Normalised estimation error squared, `e' P^-1 e` for the error `e` of the mean against `truth`; its mean is `N` for a filter

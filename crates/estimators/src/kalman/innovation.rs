@@ -115,7 +115,11 @@ impl<const N: usize, const M: usize> Joint<N, M> {
     ) -> Result<(SVector<f64, N>, SMatrix<f64, N, N>, Innovation<M>), EstimatorError> {
         check_finite("innovation", residual.as_slice())?;
         check_finite("covariance of the innovation", self.outputs.as_slice())?;
-        let ratio = |j: usize| self.outputs[(j, j)].powi(2) / self.outputs.row(j).norm_squared();
+        // Relative to the largest entry, whose square may leave the range.
+        let ratio = |j: usize| {
+            let row = self.outputs.row(j) / self.outputs.row(j).amax();
+            row[j].powi(2) / row.norm_squared()
+        };
         // A ratio 0 / 0 is not accepted either.
         if !(0..M).all(|j| ratio(j) >= PIVOT_LIMIT) {
             let pivot_ratio = (0..M).map(ratio).fold(f64::INFINITY, f64::min);

@@ -30,7 +30,7 @@ pub(super) fn factor<const N: usize>(
             s[(j, j)] = pivot.sqrt();
         }
         for i in j + 1..N {
-            let admitted = SLACK * (p[(i, i)].abs() * p[(j, j)].abs()).sqrt();
+            let admitted = SLACK * p[(i, i)].abs().sqrt() * p[(j, j)].abs().sqrt();
             if (p[(i, j)] - p[(j, i)]).abs() > admitted {
                 return Err(EstimatorError::NotSymmetric { what, row: i, col: j });
             }
@@ -74,7 +74,9 @@ impl Turn {
     /// None where there is nothing to turn.
     #[inline]
     pub(super) fn new(a: f64, b: f64) -> Option<Self> {
-        let norm = (a * a + b * b).sqrt();
+        let squared = a * a + b * b;
+        // Squares of very small and very large numbers leave the range; the slow way does not.
+        let norm = if squared > 1e-280 && squared < f64::INFINITY { squared.sqrt() } else { a.hypot(b) };
         (b != 0.0 && norm > 0.0).then(|| Self { cos: a / norm, sin: b / norm })
     }
 
@@ -97,11 +99,12 @@ impl Squeeze {
     /// The error is `a^2 - b^2` where that leaves no positive pivot.
     #[inline]
     pub(super) fn new(a: f64, b: f64) -> Result<Option<Self>, f64> {
-        let rest = (a - b) * (a + b);
+        // Relative to a^2, which may leave the range.
+        let rest = ((a - b) / a) * ((a + b) / a);
         match b {
             0.0 => Ok(None),
-            _ if rest > 0.0 => Ok(Some(Self { cosh: rest.sqrt() / a, sinh: b / a })),
-            _ => Err(rest),
+            _ if rest > 0.0 => Ok(Some(Self { cosh: rest.sqrt(), sinh: b / a })),
+            _ => Err((a - b) * (a + b)),
         }
     }
 
@@ -143,6 +146,12 @@ mod tests {
         let mut s = triangular(&r);
         add(&mut s, x);
         assert!((s * s.transpose() - (r * r.transpose() + x * x.transpose())).norm() < 1e-13);
+        // At any scale.
+        for scale in [1e-200, 1e200] {
+            let mut large = triangular(&(r * scale));
+            add(&mut large, x * scale);
+            assert!((large / scale - s).norm() < 1e-13, "{scale}: {large}");
+        }
         assert!(s.upper_triangle().norm() - s.diagonal().norm() == 0.0 && s.diagonal().min() >= 0.0);
     }
 }

@@ -191,12 +191,11 @@ where
         let predicted = center + step;
         let mut joint = Joint::new();
         let share = weights.others.sqrt();
-        let mut images = outputs.chunks_exact(M.max(1));
+        let mut images = outputs.iter().copied();
         for_each_point(belief.root(), noise, weights.spread, |dx, _| {
-            if let Some(output) = images.next() {
-                let deviation = sensor.residual(&SVector::from_column_slice(output), &predicted);
-                joint.add(deviation * share, dx * share);
-            }
+            // As many numbers as were kept above, also where there are no outputs.
+            let output = SVector::from_iterator(images.by_ref().take(M));
+            joint.add(sensor.residual(&output, &predicted) * share, dx * share);
         });
         let center = sensor.residual(&center, &predicted) * weights.covariance.abs().sqrt();
         if weights.covariance >= 0.0 {

@@ -16,8 +16,6 @@ pub struct Scratch {
     pub(super) quadratic: Option<QuadraticEnclosure>,
     pub(super) strip: OutputStrip,
     pub(super) rows: Rows,
-    /// The value of one output, and nothing of the others.
-    pub(super) values: Vec<Interval>,
     /// The direction of a strip.
     pub(super) direction: Vec<f64>,
     pub(super) stacked: Stacked,

@@ -1,6 +1,6 @@
 //! Intersections with strips: what outputs of a measurement or an invariant say of the states, and strips given.
 
-use nonlin_bounds::{BoundError, Domain};
+use nonlin_bounds::{BoundError, Domain, Form};
 use scalars::Interval;
 use setrep::{SetError, StripCut, Zonotope};
 
@@ -67,14 +67,11 @@ fn row(
     state: &State,
     scratch: &mut Scratch,
 ) -> Result<Interval, EstimatorError> {
-    let Scratch { bounds, enclosure, rows, stacked, direction, values, .. } = scratch;
+    let Scratch { bounds, enclosure, rows, stacked, direction, .. } = scratch;
     let noises = equation.noise.map_or(0, Zonotope::dim);
     let domain = Domain::new(&stacked.sides, &stacked.point).with_parameters(equation.parameters).with_noises(noises);
-    enclosure.enclose_where_possible(equation.relation.function(), &domain, bounds)?;
-    values.clear();
-    values.resize(equation.values.len(), Interval::ENTIRE);
-    values[i] = value;
-    enclosure.rows_into(state.set.dim(), values, rows)?;
+    enclosure.enclose_output_at_best(Form::Taylor, equation.relation.function(), i, &domain, bounds)?;
+    enclosure.rows_into(state.set.dim(), &[value], rows)?;
     direction.clear();
     direction.resize(state.set.dim(), 0.0);
     // One row or none.

@@ -197,45 +197,43 @@ fn collapse(state: &mut State) {
     }
 }
 
-/// Cuts a state with the strips of an equation, output by output. Missing outputs say nothing.
+/// Cuts a state with the strips of an equation, output by output. Missing outputs say nothing, and nothing is asked of them.
 fn cut<const LINEARIZED: bool>(
     equation: &Equation<'_>,
     options: &ZfOptions,
     state: &mut State,
     scratch: &mut Scratch,
 ) -> Result<(), EstimatorError> {
-    let n = state.set.dim();
-    let form = if LINEARIZED { Form::MeanValue } else { options.strips };
-    for i in (0..equation.values.len()).filter(|&i| equation.values[i] != Interval::ENTIRE) {
+    for (i, value) in equation.values.iter().enumerate().filter(|(_, value)| **value != Interval::ENTIRE) {
         let culprit = (equation.culprit)(i);
         if LINEARIZED {
             collapse(state);
         }
         scratch.about_centers(state, equation.noise)?;
-        let Scratch { bounds, enclosure, stacked, rows, direction, .. } = &mut *scratch;
+        let Scratch { bounds, enclosure, stacked, rows, .. } = &mut *scratch;
         let noises = equation.noise.map_or(0, Zonotope::dim);
         let domain =
             Domain::new(&stacked.sides, &stacked.point).with_parameters(equation.parameters).with_noises(noises);
         let function = equation.relation.function();
-        let strips = if LINEARIZED {
-            enclosure.enclose(form, function, &domain, bounds)
+        let enclosed = if LINEARIZED {
+            enclosure.enclose_output(Form::MeanValue, function, i, &domain, bounds)
         } else {
-            // An output that is not smooth enough goes by its range, one that was not measured need not be defined.
-            enclosure.enclose_at_best(form, function, &domain, bounds)
+            // One that is not smooth enough goes by its range.
+            enclosure.enclose_output_at_best(options.strips, function, i, &domain, bounds)
         };
-        match strips.and_then(|()| enclosure.rows_into(n, equation.values, rows)) {
+        match enclosed.and_then(|()| enclosure.rows_into(state.set.dim(), std::slice::from_ref(value), rows)) {
             // A function that is defined nowhere in the hull has no value there to be measured.
             Err(BoundError::Set(SetError::EmptySet)) if !LINEARIZED => {
-                let evidence = Evidence::Propagation { hull: state.hull.clone() };
+                let mut required = vec![Interval::ENTIRE; equation.values.len()];
+                required[i] = *value;
+                let (hull, parameters) = (state.hull.clone(), equation.parameters.to_vec());
+                let evidence = Evidence::Values { hull, invariant: equation.noise.is_none(), required, parameters };
                 return Err(inconsistent(state.step, vec![culprit], evidence));
             }
             result => result?,
         }
-        let Some(row) = rows.outputs().iter().position(|&output| output == i) else { continue };
-        direction.clear();
-        direction.extend(rows.directions().columns().map(|column| column[row]));
-        let range = rows.ranges()[row];
-        let sets = &mut bounds.sets;
+        let Some(&range) = rows.ranges().first() else { continue };
+        let (direction, sets) = (rows.directions().as_slice(), &mut bounds.sets);
         // The row of an output that is not smooth has no direction: its range is right or wrong as it is.
         let whole = !options.tighten && range.is_bounded() && direction.iter().any(|&a| a != 0.0);
         if whole && !LINEARIZED {
@@ -251,6 +249,7 @@ fn cut<const LINEARIZED: bool>(
         };
         match answer {
             StripCut::ProvenEmpty { reach } => return Err(refuted(state.step, Some(culprit), reach, range)),
+            StripCut::Unchanged if !LINEARIZED => {}
             StripCut::Unchanged | StripCut::Cut => renew_hull(false, state, Some(culprit), scratch)?,
         }
     }

@@ -8,6 +8,7 @@ mod support;
 mod allocations;
 mod bad_input;
 mod groups;
+mod hard;
 mod identities;
 mod models;
 mod statistics;

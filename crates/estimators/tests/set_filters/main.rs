@@ -17,4 +17,5 @@ mod skew_noise;
 #[path = "../support/mod.rs"]
 mod support;
 mod zf;
+mod zf_hard;
 mod zonotopic;

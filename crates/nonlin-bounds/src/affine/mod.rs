@@ -6,6 +6,8 @@ mod natural;
 mod slope;
 mod taylor;
 
+use core::ops::Range;
+
 pub use domain::Domain;
 use scalars::Interval;
 use setrep::Matrix;
@@ -152,13 +154,47 @@ impl AffineEnclosure {
         domain: &Domain<'_>,
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
+        self.strictly(form, f, 0..f.outputs(), domain, workspace)
+    }
+
+    /// Encloses output `i` of `f` alone, as [`enclose`](Self::enclose) does a function with no other: `J: 1 x n`. Nothing is asked of the
+    /// others.
+    ///
+    /// **Guarantee:** as [`enclose`](Self::enclose).
+    ///
+    /// # Errors
+    /// As [`enclose`](Self::enclose); [`BoundError::Dimension`] for an output that does not exist.
+    pub fn enclose_output(
+        &mut self,
+        form: Form,
+        f: &dyn DynFunction,
+        i: usize,
+        domain: &Domain<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
+        check_output(f, i)?;
+        self.strictly(form, f, i..i + 1, domain, workspace)
+    }
+
+    /// [`enclose`](Self::enclose) for some of the outputs.
+    fn strictly(
+        &mut self,
+        form: Form,
+        f: &dyn DynFunction,
+        outputs: Range<usize>,
+        domain: &Domain<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
         domain.check(f)?;
         let (order, at_point) = form.orders();
         domain.evaluate(f, order, workspace)?;
-        BoundError::check_smooth(&workspace.over_box, form.needs())?;
-        fit(f, domain, at_point, |_, _| form, workspace)?;
-        if let Some(output) = workspace.offsets.iter().position(|e| !e.is_bounded()) {
-            return Err(BoundError::UnboundedResult { output });
+        let (required, smoothness) = (form.needs(), workspace.over_box.smoothness());
+        if let Some(output) = outputs.clone().find(|&i| smoothness[i] < required) {
+            return Err(BoundError::NotSmooth { output, required, found: smoothness[output] });
+        }
+        fit(f, domain, at_point, outputs.clone(), |_, _| form, workspace)?;
+        if let Some(found) = workspace.offsets.iter().position(|e| !e.is_bounded()) {
+            return Err(BoundError::UnboundedResult { output: outputs.start + found });
         }
         self.take(domain, workspace);
         Ok(())
@@ -196,6 +232,36 @@ impl AffineEnclosure {
         domain: &Domain<'_>,
         workspace: &mut Workspace,
     ) -> Result<(), BoundError> {
+        self.at_best(form, f, 0..f.outputs(), domain, workspace)
+    }
+
+    /// As [`enclose_at_best`](Self::enclose_at_best) for output `i` alone: `J: 1 x n`.
+    ///
+    /// **Guarantee:** as [`enclose`](Self::enclose), for every `x` in the box at which the output is defined.
+    ///
+    /// # Errors
+    /// As [`enclose_where_possible`](Self::enclose_where_possible); [`BoundError::Dimension`] for an output that does not exist.
+    pub fn enclose_output_at_best(
+        &mut self,
+        form: Form,
+        f: &dyn DynFunction,
+        i: usize,
+        domain: &Domain<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
+        check_output(f, i)?;
+        self.at_best(form, f, i..i + 1, domain, workspace)
+    }
+
+    /// [`enclose_at_best`](Self::enclose_at_best) for some of the outputs.
+    fn at_best(
+        &mut self,
+        form: Form,
+        f: &dyn DynFunction,
+        outputs: Range<usize>,
+        domain: &Domain<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), BoundError> {
         domain.check(f)?;
         let (mut order, _) = form.orders();
         while let Err(error) = domain.evaluate(f, order, workspace) {
@@ -211,7 +277,7 @@ impl AffineEnclosure {
             _ => Form::Natural,
         };
         let at_point = if order == Order::Hessian { Order::Jacobian } else { Order::Value };
-        fit(f, domain, at_point, best, workspace)?;
+        fit(f, domain, at_point, outputs, best, workspace)?;
         self.take(domain, workspace);
         Ok(())
     }
@@ -243,28 +309,35 @@ impl AffineEnclosure {
     }
 }
 
+/// `Ok` if there is such an output.
+fn check_output(f: &dyn DynFunction, i: usize) -> Result<(), BoundError> {
+    let found = f.outputs();
+    if i < found { Ok(()) } else { Err(BoundError::Dimension { operand: Operand::Outputs, expected: i + 1, found }) }
+}
+
 /// Whether no entry of the Hessian of an output is unbounded.
 fn has_bounded_hessian(jet: &Jet, output: usize) -> bool {
     let size = jet.variables() * (jet.variables() + 1) / 2;
     jet.hessians()[output * size..(output + 1) * size].iter().all(Interval::is_bounded)
 }
 
-/// Writes `J` and `[e]` to the workspace, given the evaluation over the box there; `form` says how each output is to be enclosed.
+/// Writes `J` and `[e]` of some outputs to the workspace, given the evaluation over the box there; `form` says how each is to be enclosed.
 fn fit(
     f: &dyn DynFunction,
     domain: &Domain<'_>,
     at_point: Order,
+    outputs: Range<usize>,
     form: impl Fn(&Jet, usize) -> Form,
     workspace: &mut Workspace,
 ) -> Result<(), BoundError> {
-    let (n, m, states) = (f.variables(), f.outputs(), domain.states());
+    let (n, states) = (f.variables(), domain.states());
     let Workspace {
         over_box, at_point: point_jet, noise_at_point, point, steps, slopes, row, jacobian, offsets, ..
     } = workspace;
     point.clear();
     point.extend(domain.at.iter().map(|&x| Interval::point(x)));
     evaluate(f, at_point, point, domain.parameters, point_jet)?;
-    let nested = states < n && (0..m).any(|i| form(over_box, i) == Form::MeanValue);
+    let nested = states < n && outputs.clone().any(|i| form(over_box, i) == Form::MeanValue);
     if nested {
         for (x, side) in point.iter_mut().zip(domain.hull).skip(states) {
             *x = x.hull(*side);
@@ -281,9 +354,9 @@ fn fit(
     };
     row.clear();
     row.resize(n, 0.0);
-    jacobian.reset(m, n);
+    jacobian.reset(outputs.len(), n);
     offsets.clear();
-    for i in 0..m {
+    for (line, i) in outputs.enumerate() {
         offsets.push(match form(parts.over_box, i) {
             Form::Natural => natural::row(&parts, i, row),
             Form::MeanValue => mean_value::row(&parts, i, row),
@@ -291,7 +364,7 @@ fn fit(
             Form::Taylor => taylor::row(&parts, i, row),
         });
         for (k, &entry) in row.iter().enumerate() {
-            jacobian[(i, k)] = entry;
+            jacobian[(line, k)] = entry;
         }
     }
     Ok(())

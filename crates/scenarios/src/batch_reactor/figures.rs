@@ -1,18 +1,14 @@
 //! Figure 1 of the paper: one run, means and centers with their bounds.
 
-use super::plant::Truth;
-use crate::contest::Course;
+use crate::contest::{Course, Named, Truth};
 use crate::figure::{Figure, Look, Panel, Series};
 
 /// Every so many steps are drawn.
 const STRIDE: usize = 5;
 
-/// One filter's run under its name.
-pub type Named<'a> = (&'a str, &'a Course<2>);
-
 /// Both pressures: the truth, centers, and bounds (three standard deviations, or the hull of the set).
 #[must_use]
-pub fn figure_1(name: &str, title: &str, truth: &Truth, courses: &[Named<'_>]) -> Figure {
+pub fn figure_1(name: &str, title: &str, truth: &Truth<2, 1>, courses: &[Named<2>]) -> Figure {
     let panel = |i: usize| {
         let title = format!("({}) x{}", char::from(b'a' + i as u8), i + 1);
         let mut panel = Panel::new(title, "t [s]", format!("x{} [atm]", i + 1));

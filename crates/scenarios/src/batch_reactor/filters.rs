@@ -6,7 +6,7 @@ use nalgebra::{Matrix1, Matrix2, Vector2};
 use setrep::{StripRule, Zonotope};
 
 use super::plant::{NOISE_BOUND, NOISE_SIGMA, PROCESS_BOUND, Pressure, Rates, Reaction};
-use crate::contest::{Contestant, Zonotopic};
+use crate::contest::{self, Contestant, Zonotopic};
 use crate::{Mode, ScenarioError};
 
 /// Initial estimate, atm.
@@ -63,52 +63,42 @@ impl ZfSetting {
 
 /// Which filter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+pub enum Kind {
+    /// Unscented Kalman filter.
     Unscented,
+    /// Extended Kalman filter.
     Extended,
+    /// Zonotopic filter.
     Zonotopic(ZfSetting),
 }
 
-/// A filter ready to be started.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contender {
-    /// Name in the rows.
-    pub method: &'static str,
-    kind: Kind,
-}
+/// A filter under a name.
+pub type Contender = contest::Contender<Kind>;
 
-impl Contender {
-    /// What is rigorous, for sets.
-    #[must_use]
-    pub fn mode(&self) -> Option<Mode> {
-        matches!(self.kind, Kind::Zonotopic(_)).then_some(Mode::Rigorous)
-    }
-
-    /// The filter at its initial estimate.
-    ///
-    /// # Errors
-    /// Those of the constructors.
-    pub fn start(&self, rates: Rates) -> Result<Box<dyn Contestant<2>>, ScenarioError> {
-        let model = (ByFunction::new(Reaction(rates)), ByFunction::new(Pressure));
-        let belief = Gaussian::new(Vector2::from(ESTIMATE), &(Matrix2::identity() * VARIANCE))?;
-        let (q, r) = (Matrix2::identity() * PROCESS_VARIANCE, Matrix1::new(NOISE_SIGMA * NOISE_SIGMA));
-        Ok(match self.kind {
-            Kind::Unscented => Box::new(Ukf::<Model, Flat, 2, 1, 2, 1>::new(model, belief, &q, &r)?),
-            Kind::Extended => Box::new(Ekf::<Model, Flat, 2, 1, 2, 1>::new(model, belief, &q, &r)?),
-            Kind::Zonotopic(setting) => Box::new(Zonotopic(setting.filter(rates)?)),
-        })
-    }
+/// A filter at its initial estimate.
+///
+/// # Errors
+/// Those of the constructors.
+pub fn filter(kind: Kind, rates: Rates) -> Result<Box<dyn Contestant<2>>, ScenarioError> {
+    let model = (ByFunction::new(Reaction(rates)), ByFunction::new(Pressure));
+    let belief = Gaussian::new(Vector2::from(ESTIMATE), &(Matrix2::identity() * VARIANCE))?;
+    let (q, r) = (Matrix2::identity() * PROCESS_VARIANCE, Matrix1::new(NOISE_SIGMA * NOISE_SIGMA));
+    Ok(match kind {
+        Kind::Unscented => Box::new(Ukf::<Model, Flat, 2, 1, 2, 1>::new(model, belief, &q, &r)?),
+        Kind::Extended => Box::new(Ekf::<Model, Flat, 2, 1, 2, 1>::new(model, belief, &q, &r)?),
+        Kind::Zonotopic(setting) => Box::new(Zonotopic(setting.filter(rates)?)),
+    })
 }
 
 const fn zonotopic(method: &'static str, setting: ZfSetting) -> Contender {
-    Contender { method, kind: Kind::Zonotopic(setting) }
+    Contender { method, mode: Some(Mode::Rigorous), kind: Kind::Zonotopic(setting) }
 }
 
 /// The filters of the paper, and those beside them: the extended Kalman filter, and tightened strips.
 pub const PUBLISHED: [Contender; 4] = [
-    Contender { method: "ukf", kind: Kind::Unscented },
+    Contender { method: "ukf", mode: None, kind: Kind::Unscented },
     zonotopic("zf", ZfSetting::PAPER),
-    Contender { method: "ekf", kind: Kind::Extended },
+    Contender { method: "ekf", mode: None, kind: Kind::Extended },
     zonotopic("zf/tightened", ZfSetting { tighten: true, ..ZfSetting::PAPER }),
 ];
 

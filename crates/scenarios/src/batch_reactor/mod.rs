@@ -1,19 +1,19 @@
 //! Experiment `batch-reactor`: unscented Kalman filter against zonotopic filter, paper 001, section 5.1.
 //!
-//! Reading order: [`plant`], [`filters`], [`mod@study`], [`figures`], [`tables`] and [`report`].
+//! Reading order: [`plant`], [`filters`], [`setting`], [`figures`], [`tables`] and [`report`].
 
 pub mod figures;
 pub mod filters;
 pub mod plant;
 pub mod report;
-pub mod study;
+pub mod setting;
 pub mod tables;
 
-use crate::contest::{Noise, step_time_ns};
-use crate::{Context, Experiment, Figure, Output, Results, Row, ScenarioError};
+use crate::contest::{Noise, course, study, timings};
+use crate::{Context, Experiment, Figure, Output, Results, ScenarioError};
 use filters::{Contender, PUBLISHED, VARIANTS};
 use plant::Rates;
-use study::{STEPS_PER_SECOND, Setting, course, study};
+use setting::{STEPS_PER_SECOND, Setting};
 
 /// Runs of a cell: full size (the paper's), quick.
 const RUNS: (usize, usize) = (100, 10);
@@ -37,20 +37,22 @@ impl Experiment for BatchReactorExperiment {
         let runs = context.runs_or(RUNS.0, RUNS.1);
         let few = runs.min(VARIANT_RUNS);
         let cells = |noise: Noise, runs: usize, contenders: &[Contender]| {
-            study(context, runs, Setting::of_the_paper(noise), noise.name(), contenders)
+            study(context, runs, &Setting::of_the_paper(noise), noise.name(), contenders)
         };
         let gaussian = cells(Noise::Gaussian, runs, &PUBLISHED)?;
         let truncated = cells(Noise::Truncated, runs, &PUBLISHED)?;
         let variants = cells(Noise::Gaussian, few, &VARIANTS)?;
         let per_second = Setting { rates: Rates::PerSecond, noise: Noise::Gaussian, steps: STEPS_PER_SECOND };
-        let per_second = study(context, few, per_second, "rates per second", &PUBLISHED)?;
+        let per_second = study(context, few, &per_second, "rates per second", &PUBLISHED)?;
 
         let mut results = Results::new(self.name(), context.seed, runs);
         results.rows.extend(tables::table_1(&gaussian));
         results.rows.extend(tables::readings(&gaussian, &per_second));
         results.rows.extend(tables::half_widths(&gaussian));
+        results.rows.extend(tables::half_widths(&truncated));
         results.rows.extend(tables::containment(&[&gaussian, &truncated, &variants]));
-        let timings = timings(context)?;
+        let bounded = Setting::of_the_paper(Noise::Truncated);
+        let timings = timings(context, &bounded, "reactor", &PUBLISHED, 40.0 / 1.5)?;
         let figures = figures(context)?;
         let report = report::report([runs, few], &results, &timings);
         Ok(Output { results, timings, report, figures, curves: Vec::new() })
@@ -59,33 +61,12 @@ impl Experiment for BatchReactorExperiment {
 
 /// Figure 1 with the paper's filters, and with bounded noise and tightened strips.
 fn figures(context: &Context<'_>) -> Result<Vec<Figure>, ScenarioError> {
-    let figure = |name: &str, title: &str, noise: Noise, zonotopic: &Contender| {
-        let setting = Setting::of_the_paper(noise);
-        let (truth, statistical) = course(context, setting, &PUBLISHED[0], 0)?;
-        let (_, sets) = course(context, setting, zonotopic, 0)?;
-        let courses = [(PUBLISHED[0].method, &statistical), (zonotopic.method, &sets)];
+    let figure = |name: &str, title: &str, noise: Noise, zonotopic: Contender| {
+        let (truth, courses) = course(context, &Setting::of_the_paper(noise), &[PUBLISHED[0], zonotopic])?;
         Ok::<_, ScenarioError>(figures::figure_1(name, title, &truth, &courses))
     };
     Ok(vec![
-        figure("figure-1", "One run, Gaussian noise (paper: Figure 1)", Noise::Gaussian, &PUBLISHED[1])?,
-        figure("figure-1-tightened", "One run, noise truncated at 3 sigma", Noise::Truncated, &PUBLISHED[3])?,
+        figure("figure-1", "One run, Gaussian noise (paper: Figure 1)", Noise::Gaussian, PUBLISHED[1])?,
+        figure("figure-1-tightened", "One run, noise truncated at 3 sigma", Noise::Truncated, PUBLISHED[3])?,
     ])
-}
-
-/// Times of a step, one after the other on one thread, and the paper's ratio of the two filters.
-fn timings(context: &Context<'_>) -> Result<Vec<Row>, ScenarioError> {
-    let truth = Setting::of_the_paper(Noise::Truncated).truth(context, 0)?;
-    let mut rows = Vec::new();
-    let mut first = f64::NAN;
-    for contender in &PUBLISHED {
-        let ns = step_time_ns(|| contender.start(Rates::PerMinute), &truth.outputs)?;
-        let row = |metric, unit| Row::new("timing", "reactor", contender.method).metric(metric, unit);
-        rows.push(row("ns_per_step", "ns").value(ns));
-        if first.is_nan() {
-            first = ns;
-        }
-        let ratio = row("time/ukf", "").value(ns / first);
-        rows.push(if contender.method == "zf" { ratio.paper_ref(40.0 / 1.5) } else { ratio });
-    }
-    Ok(rows)
 }

@@ -8,9 +8,9 @@ use nonlin_bounds::{Function, Rk4, function};
 use rand::Rng;
 use scalars::{Interval, Scalar};
 
-use crate::contest::Noise;
-use crate::noise::{BoundedNoise, NoiseKind, standard_normal};
-use crate::truth::{TruthError, output_within, proven_within};
+use crate::ScenarioError;
+use crate::contest::{Noise, Truth, measured};
+use crate::set_study::additive::advanced;
 
 /// Initial state, atm.
 pub const INITIAL: [f64; 2] = [3.0, 1.0];
@@ -72,51 +72,19 @@ impl Function for Pressure {
     }
 }
 
-/// One run: states `x_1..x_N` after [`INITIAL`], outputs `y_1..y_N`.
+/// Simulates `steps` seconds.
 ///
 /// **Guarantee:** the states are one exact trajectory of the model with process noises within [`PROCESS_BOUND`] (they are rounding alone);
 /// with truncated noise every output is within [`NOISE_BOUND`] of the exact one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Truth {
-    /// States, atm.
-    pub states: Vec<[f64; 2]>,
-    /// Outputs, atm.
-    pub outputs: Vec<[f64; 1]>,
-}
-
-/// Simulates `steps` seconds.
 ///
 /// # Errors
-/// [`TruthError`] if a step or an output cannot be proven.
-pub fn simulate(rates: Rates, noise: Noise, steps: usize, rng: &mut impl Rng) -> Result<Truth, TruthError> {
+/// [`ScenarioError::Truth`] if a step or an output cannot be proven.
+pub fn simulate<R: Rng>(rates: Rates, noise: Noise, steps: usize, rng: &mut R) -> Result<Truth<2, 1>, ScenarioError> {
     let model = Reaction(rates);
-    let mut bounded = BoundedNoise::new(NoiseKind::TruncatedGaussian, [NOISE_BOUND]);
-    let mut truth = Truth { states: Vec::with_capacity(steps), outputs: Vec::with_capacity(steps) };
-    let mut x = INITIAL;
-    for step in 0..steps {
-        let mut next = [0.0; 2];
-        model.eval(&[x[0], x[1], 0.0, 0.0], &[], &mut next);
-        let exact = [Interval::point(x[0]), Interval::point(x[1]), Interval::ZERO, Interval::ZERO];
-        let mut image = [Interval::ZERO; 2];
-        model.eval(&exact, &[], &mut image);
-        for component in 0..2 {
-            let noise = Interval::point(next[component]) - image[component];
-            if !proven_within(&noise, PROCESS_BOUND) {
-                return Err(TruthError::ProcessNoise { step, component, bound: PROCESS_BOUND, found: noise.mag() });
-            }
-        }
-        x = next;
-        let sum = Interval::point(x[0]) + Interval::point(x[1]);
-        let output = match noise {
-            Noise::Gaussian => sum.mid() + NOISE_SIGMA * standard_normal(rng),
-            Noise::Truncated => {
-                let [v] = bounded.draw(rng);
-                let refused = TruthError::Output { step, component: 0, bound: NOISE_BOUND };
-                output_within(&sum, v, NOISE_BOUND).ok_or(refused)?
-            }
-        };
-        truth.states.push(x);
-        truth.outputs.push([output]);
-    }
-    Ok(truth)
+    let mut source = noise.source([NOISE_BOUND]);
+    let advance = |step, x: &[f64; 2], _: &mut R| {
+        let next = advanced(&model, &x.map(Interval::point), &[], &[0.0; 2], &[PROCESS_BOUND; 2], step)?;
+        Ok([next[0], next[1]])
+    };
+    Truth::run(INITIAL, steps, rng, advance, |step, x, rng| measured(&Pressure, x, &mut source, step, rng))
 }

@@ -1,6 +1,6 @@
 //! Rows of `results.json` from the cells of the studies.
 
-use super::study::MARKS;
+use super::setting::MARKS;
 use crate::Row;
 use crate::contest::{Cell, Paper};
 
@@ -43,13 +43,7 @@ pub fn readings(gaussian: &[Cell<2>], per_second: &[Cell<2>]) -> Vec<Row> {
 /// Half widths of the bounds at some steps.
 #[must_use]
 pub fn half_widths(cells: &[Cell<2>]) -> Vec<Row> {
-    let row = |cell: &Cell<2>, mark: usize, i: usize| {
-        let metric = format!("half-width(x{})@{}", i + 1, MARKS[mark]);
-        cell.row(HALF_WIDTHS, metric, "atm").mean_of(&cell.samples(|run| run.marks[mark][i]))
-    };
-    let of =
-        |cell: &Cell<2>| -> Vec<Row> { (0..MARKS.len()).flat_map(|mark| [0, 1].map(|i| row(cell, mark, i))).collect() };
-    cells.iter().flat_map(of).collect()
+    cells.iter().flat_map(|cell| cell.half_width_rows(HALF_WIDTHS, ["atm"; 2], &[0, 1], &MARKS)).collect()
 }
 
 /// How often the truth is held, and what goes wrong.

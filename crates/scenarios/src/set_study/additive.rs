@@ -52,30 +52,34 @@ impl Additive<'_> {
             let enclosure: Vec<Interval> = state.iter().map(|&x| Interval::point(x)).collect();
             run.outputs.push(measure(self.measurement, &enclosure, &output.draw(rng), self.output, step)?);
             if let Some(input) = inputs.get(step) {
-                state = self.advance(&enclosure, input, &process.draw(rng), step)?;
+                state = advanced(self.dynamics, &enclosure, input, &process.draw(rng), self.process, step)?;
             }
             run.states.push(enclosure);
         }
         run.inputs = inputs;
         Ok(run)
     }
+}
 
-    /// A state near `f((x, 0); u) + w` that is reached by a noise within its bounds.
-    fn advance(
-        &self,
-        state: &[Interval],
-        input: &[f64],
-        noise: &[f64],
-        step: usize,
-    ) -> Result<Vec<f64>, ScenarioError> {
-        let image = without_noise(self.dynamics, state, noise.len(), input)?;
-        let next = |(component, image): (usize, &Interval)| {
-            let bound = self.process[component];
-            output_within(image, noise[component], bound).ok_or_else(|| {
-                let found = image.rad() + bound;
-                TruthError::ProcessNoise { step, component, bound, found }.into()
-            })
-        };
-        image.iter().enumerate().map(next).collect()
-    }
+/// A state near `f((x, 0); u) + w`, a noise added to each state, that is reached by a noise within `bounds`.
+///
+/// # Errors
+/// [`TruthError::ProcessNoise`] if that cannot be proven, [`ScenarioError::Bound`] if sizes do not fit.
+pub fn advanced(
+    dynamics: &dyn DynFunction,
+    state: &[Interval],
+    input: &[f64],
+    noise: &[f64],
+    bounds: &[f64],
+    step: usize,
+) -> Result<Vec<f64>, ScenarioError> {
+    let image = without_noise(dynamics, state, noise.len(), input)?;
+    let next = |(component, image): (usize, &Interval)| {
+        let bound = bounds[component];
+        output_within(image, noise[component], bound).ok_or_else(|| {
+            let found = image.rad() + bound;
+            TruthError::ProcessNoise { step, component, bound, found }.into()
+        })
+    };
+    image.iter().enumerate().map(next).collect()
 }

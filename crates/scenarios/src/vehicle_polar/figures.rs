@@ -1,7 +1,6 @@
 //! Figure 2 of the paper: one run, estimation errors with their bounds.
 
-use super::plant::Truth;
-use crate::contest::Course;
+use crate::contest::{Course, Named, Truth};
 use crate::figure::{Figure, Look, Panel, Series};
 
 /// Every so many steps are drawn.
@@ -9,13 +8,10 @@ const STRIDE: usize = 4;
 /// Sampling period.
 const PERIOD_S: f64 = 0.5;
 
-/// One filter's run under its name.
-pub type Named<'a> = (&'a str, &'a Course<4>);
-
 /// Errors of `x1` and `x4`, each with the bounds of all filters (top), and with the statistical ones alone (bottom).
 #[must_use]
-pub fn figure_2(truth: &Truth, courses: &[Named<'_>]) -> Figure {
-    let panel = |title: &str, i: usize, unit: &str, courses: &[Named<'_>]| {
+pub fn figure_2(truth: &Truth<4, 2>, courses: &[Named<4>]) -> Figure {
+    let panel = |title: &str, i: usize, unit: &str, courses: &[Named<4>]| {
         let label = format!("error of x{} [{unit}]", i + 1);
         courses.iter().enumerate().fold(Panel::new(title, "t [s]", label), |panel, (index, (method, course))| {
             let look = Look::nth(index);
@@ -32,13 +28,13 @@ pub fn figure_2(truth: &Truth, courses: &[Named<'_>]) -> Figure {
     Figure::new("figure-2", title, 2)
         .with(panel("(a) x1", 0, "m", courses).y_range(-60.0, 60.0))
         .with(panel("(b) x4", 3, "m/s", courses).y_range(-12.0, 12.0))
-        .with(panel("(a) x1, without the set", 0, "m", statistical))
-        .with(panel("(b) x4, without the set", 3, "m/s", statistical).y_range(-1.5, 1.5))
+        .with(panel("(c) x1, without the set", 0, "m", statistical))
+        .with(panel("(d) x4, without the set", 3, "m/s", statistical).y_range(-1.5, 1.5))
 }
 
 /// The points of a course that are drawn.
 fn drawn(
-    truth: &Truth,
+    truth: &Truth<4, 2>,
     course: &Course<4>,
     value: impl Fn(&[f64; 4], &([f64; 4], [f64; 4])) -> f64,
 ) -> Vec<(f64, f64)> {

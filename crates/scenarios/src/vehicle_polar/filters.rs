@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Matrix4, SMatrix, SVector, Vector4};
 use setrep::{StripRule, Zonotope};
 
 use super::plant::{Bearing, Drive, INITIAL, NOISE_SIGMA, PROCESS_SIGMA, Polar};
-use crate::contest::{Contestant, Zonotopic};
+use crate::contest::{self, Contestant, Zonotopic};
 use crate::{Mode, ScenarioError};
 
 /// Initial estimate. The paper prints three entries for four states; this is the only completion that fits its Table 2.
@@ -25,66 +25,54 @@ pub const ORDER: usize = 10_000;
 
 /// Which filter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub enum Kind {
+    /// Unscented Kalman filter.
     Unscented,
+    /// Extended Kalman filter.
     Extended,
+    /// The paper's zonotopic filter, linearised.
     Linearized,
+    /// The zonotopic filter with a guarantee.
     MeanValue,
+    /// The same from a small set around the truth.
     MeanValueNearTruth,
 }
 
-/// A filter ready to be started at an estimate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Contender {
-    /// Name in the rows.
-    pub method: &'static str,
-    kind: Kind,
-}
+/// A filter under a name.
+pub type Contender = contest::Contender<Kind>;
 
-impl Contender {
-    /// What is rigorous, for sets.
-    #[must_use]
-    pub fn mode(&self) -> Option<Mode> {
-        match self.kind {
-            Kind::Unscented | Kind::Extended => None,
-            Kind::Linearized => Some(Mode::Sound),
-            Kind::MeanValue | Kind::MeanValueNearTruth => Some(Mode::Rigorous),
+/// A filter at an initial estimate.
+///
+/// # Errors
+/// Those of the constructors.
+pub fn filter(kind: Kind, bearing: Bearing, estimate: [f64; 4]) -> Result<Box<dyn Contestant<4>>, ScenarioError> {
+    let belief = Gaussian::<Flat, 4>::new(Vector4::from(estimate), &Matrix4::identity())?;
+    let (q, r) = noises();
+    let system = system(bearing, PROCESS_BOUND, NOISE_BOUND)?;
+    let first = Zonotope::from_box(&estimate, &[RADIUS; 4])?;
+    Ok(match kind {
+        Kind::Unscented => Box::new(Ukf::<Model, Flat, 4, 2, 4, 2>::new(model(bearing), belief, &q, &r)?),
+        Kind::Extended => Box::new(Ekf::<Model, Flat, 4, 2, 4, 2>::new(model(bearing), belief, &q, &r)?),
+        Kind::Linearized => Box::new(Zonotopic(LinearizedZf::new(system, first, options())?)),
+        Kind::MeanValue => Box::new(Zonotopic(Zf::new(system, first, ZfOptions::new(GUARANTEED_ORDER))?)),
+        Kind::MeanValueNearTruth => {
+            let near = Zonotope::from_box(&INITIAL, &NEAR)?;
+            Box::new(Zonotopic(Zf::new(system, near, ZfOptions::new(GUARANTEED_ORDER))?))
         }
-    }
-
-    /// The filter at an initial estimate.
-    ///
-    /// # Errors
-    /// Those of the constructors.
-    pub fn start(&self, bearing: Bearing, estimate: [f64; 4]) -> Result<Box<dyn Contestant<4>>, ScenarioError> {
-        let belief = Gaussian::<Flat, 4>::new(Vector4::from(estimate), &Matrix4::identity())?;
-        let (q, r) = noises();
-        let system = system(bearing, PROCESS_BOUND, NOISE_BOUND)?;
-        let first = Zonotope::from_box(&estimate, &[RADIUS; 4])?;
-        Ok(match self.kind {
-            Kind::Unscented => Box::new(Ukf::<Model, Flat, 4, 2, 4, 2>::new(model(bearing), belief, &q, &r)?),
-            Kind::Extended => Box::new(Ekf::<Model, Flat, 4, 2, 4, 2>::new(model(bearing), belief, &q, &r)?),
-            Kind::Linearized => Box::new(Zonotopic(LinearizedZf::new(system, first, options())?)),
-            Kind::MeanValue => Box::new(Zonotopic(Zf::new(system, first, ZfOptions::new(GUARANTEED_ORDER))?)),
-            Kind::MeanValueNearTruth => {
-                let near = Zonotope::from_box(&INITIAL, &NEAR)?;
-                Box::new(Zonotopic(Zf::new(system, near, ZfOptions::new(GUARANTEED_ORDER))?))
-            }
-        })
-    }
+    })
 }
 
 /// The filters of the paper, and the extended Kalman filter.
 pub const PUBLISHED: [Contender; 3] = [
-    Contender { method: "ukf", kind: Kind::Unscented },
-    Contender { method: "zf", kind: Kind::Linearized },
-    Contender { method: "ekf", kind: Kind::Extended },
+    Contender { method: "ukf", mode: None, kind: Kind::Unscented },
+    Contender { method: "zf", mode: Some(Mode::Sound), kind: Kind::Linearized },
+    Contender { method: "ekf", mode: None, kind: Kind::Extended },
 ];
 
 /// The zonotopic filter with a guarantee, from the paper's first set and from a small one around the truth: this vehicle lets neither converge.
 pub const GUARANTEED: [Contender; 2] = [
-    Contender { method: "zf/mean-value", kind: Kind::MeanValue },
-    Contender { method: "zf/mean-value-near-truth", kind: Kind::MeanValueNearTruth },
+    Contender { method: "zf/mean-value", mode: Some(Mode::Rigorous), kind: Kind::MeanValue },
+    Contender { method: "zf/mean-value-near-truth", mode: Some(Mode::Rigorous), kind: Kind::MeanValueNearTruth },
 ];
 /// Its order, and the half widths of the small set.
 const GUARANTEED_ORDER: usize = 24;

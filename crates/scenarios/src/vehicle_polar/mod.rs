@@ -1,19 +1,18 @@
 //! Experiment `vehicle-polar`: unscented Kalman filter against linearised zonotopic filter, paper 001, section 5.2.
 //!
-//! Reading order: [`plant`], [`filters`], [`mod@study`], [`figures`], [`tables`] and [`report`].
+//! Reading order: [`plant`], [`filters`], [`setting`], [`figures`], [`tables`] and [`report`].
 
 pub mod figures;
 pub mod filters;
 pub mod plant;
 pub mod report;
-pub mod study;
+pub mod setting;
 pub mod tables;
 
-use crate::contest::{Cell, Noise, step_time_ns};
-use crate::{Context, Experiment, Figure, Output, Results, Row, ScenarioError};
-use filters::{Contender, GUARANTEED, PUBLISHED};
-use plant::Bearing;
-use study::{Setting, course, study};
+use crate::contest::{Cell, Noise, course, study, timings};
+use crate::{Context, Experiment, Output, Results, ScenarioError};
+use filters::{GUARANTEED, PUBLISHED};
+use setting::Setting;
 
 /// Runs of a cell: full size (the paper's), quick.
 const RUNS: (usize, usize) = (100, 4);
@@ -36,51 +35,25 @@ impl Experiment for VehiclePolarExperiment {
     fn run(&self, context: &Context<'_>) -> Result<Output, ScenarioError> {
         let runs = context.runs_or(RUNS.0, RUNS.1);
         let few = runs.min(VARIANT_RUNS);
-        let fitted = study(context, runs, Setting::fitted(Noise::Gaussian), Noise::Gaussian.name(), &PUBLISHED)?;
+        let setting = Setting::fitted(Noise::Gaussian);
+        let fitted = study(context, runs, &setting, Noise::Gaussian.name(), &PUBLISHED)?;
         let bounded = Setting::fitted(Noise::Truncated);
-        let truncated = study(context, few, bounded, Noise::Truncated.name(), &PUBLISHED[..2])?;
-        let guaranteed = study(context, few, bounded, Noise::Truncated.name(), &GUARANTEED)?;
+        let truncated = study(context, few, &bounded, Noise::Truncated.name(), &PUBLISHED[..2])?;
+        let guaranteed = study(context, few, &bounded, Noise::Truncated.name(), &GUARANTEED)?;
         let mut others = Vec::new();
         for (label, setting) in tables::other_readings() {
-            others.extend(study(context, few, setting, label, &PUBLISHED)?);
+            others.extend(study(context, few, &setting, label, &PUBLISHED)?);
         }
         let mut results = Results::new(self.name(), context.seed, runs);
         results.rows.extend(tables::table_2(&fitted));
         results.rows.extend(tables::readings(&others));
         results.rows.extend(tables::half_widths(&fitted));
         results.rows.extend(tables::containment(&[&fitted, &truncated, &guaranteed, &others]));
-        let timings = timings(context)?;
+        let timings = timings(context, &setting, "vehicle", &PUBLISHED, 27.2 / 0.226)?;
+        let (truth, courses) = course(context, &setting, &PUBLISHED[..2])?;
         let last = |cell: &Cell<4>| cell.runs.iter().map(|run| run.diverged).max().flatten();
         let diverged = [last(&guaranteed[0]), last(&guaranteed[1])];
         let report = report::report([runs, few], &results, &timings, diverged);
-        Ok(Output { results, timings, report, figures: vec![figure(context)?], curves: Vec::new() })
+        Ok(Output { results, timings, report, figures: vec![figures::figure_2(&truth, &courses)], curves: Vec::new() })
     }
-}
-
-fn figure(context: &Context<'_>) -> Result<Figure, ScenarioError> {
-    let setting = Setting::fitted(Noise::Gaussian);
-    let (truth, statistical) = course(context, setting, &PUBLISHED[0], 0)?;
-    let (_, sets) = course(context, setting, &PUBLISHED[1], 0)?;
-    Ok(figures::figure_2(&truth, &[(PUBLISHED[0].method, &statistical), (PUBLISHED[1].method, &sets)]))
-}
-
-/// Times of a step, one after the other on one thread, and the paper's ratio of the two filters.
-fn timings(context: &Context<'_>) -> Result<Vec<Row>, ScenarioError> {
-    let setting = Setting::fitted(Noise::Gaussian);
-    let truth = setting.truth(context, 0);
-    let mut rows = Vec::new();
-    let mut first = f64::NAN;
-    let time =
-        |contender: &Contender| step_time_ns(|| contender.start(Bearing::Atan, setting.estimate), &truth.outputs);
-    for contender in &PUBLISHED {
-        let ns = time(contender)?;
-        let row = |metric, unit| Row::new("timing", "vehicle", contender.method).metric(metric, unit);
-        rows.push(row("ns_per_step", "ns").value(ns));
-        if first.is_nan() {
-            first = ns;
-        }
-        let ratio = row("time/ukf", "").value(ns / first);
-        rows.push(if contender.method == "zf" { ratio.paper_ref(27.2 / 0.226) } else { ratio });
-    }
-    Ok(rows)
 }

@@ -5,10 +5,11 @@
 
 use nonlin_bounds::Function;
 use rand::Rng;
-use scalars::Scalar;
+use scalars::{Interval, Scalar};
 
-use crate::contest::Noise;
-use crate::noise::{BoundedNoise, NoiseKind, standard_normal};
+use crate::ScenarioError;
+use crate::contest::{Noise, Truth, measured};
+use crate::truth::{TruthError, exact_sum, proven_within};
 
 /// Initial state: m, m, m/s, m/s.
 pub const INITIAL: [f64; 4] = [5.0, 5.0, 1.0, 1.0];
@@ -63,36 +64,45 @@ impl Function for Polar {
     }
 }
 
-/// One run: states `x_1..x_N` after [`INITIAL`], outputs `y_1..y_N`, in plain floating point.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Truth {
-    /// States: m, m, m/s, m/s.
-    pub states: Vec<[f64; 4]>,
-    /// Outputs: m, rad.
-    pub outputs: Vec<[f64; 2]>,
-}
+/// Speeds of the truth are multiples of this, m/s, so that positions below 32 km are floats exactly: no noise acts on them.
+const GRID: f64 = 1.0 / (1_u64 << 37) as f64;
 
 /// Simulates `steps` periods of 0.5 s.
-pub fn simulate(bearing: Bearing, noise: Noise, steps: usize, rng: &mut impl Rng) -> Truth {
-    let (motion, sensor) = (Drive, Polar(bearing));
-    let mut process = BoundedNoise::new(NoiseKind::TruncatedGaussian, PROCESS_SIGMA.map(|sigma| 3.0 * sigma));
-    let mut output = BoundedNoise::new(NoiseKind::TruncatedGaussian, NOISE_SIGMA.map(|sigma| 3.0 * sigma));
-    let mut truth = Truth { states: Vec::with_capacity(steps), outputs: Vec::with_capacity(steps) };
-    let mut x = INITIAL;
-    for _ in 0..steps {
-        let (w, v) = match noise {
-            Noise::Gaussian => {
-                let w = PROCESS_SIGMA.map(|sigma| sigma * standard_normal(rng));
-                (w, NOISE_SIGMA.map(|sigma| sigma * standard_normal(rng)))
-            }
-            Noise::Truncated => (process.draw(rng), output.draw(rng)),
-        };
-        let (mut next, mut y) = ([0.0; 4], [0.0; 2]);
-        motion.eval(&[x[0], x[1], x[2], x[3], w[0], w[1], w[2], w[3]], &[], &mut next);
-        x = next;
-        sensor.eval(&[x[0], x[1], x[2], x[3], v[0], v[1]], &[], &mut y);
-        truth.states.push(x);
-        truth.outputs.push(y);
+///
+/// **Guarantee:** the states are one exact trajectory of the model, without noise on the positions; with truncated noises those on the
+/// speeds and on the outputs are proven to be within three standard deviations.
+///
+/// # Errors
+/// [`ScenarioError::Truth`] if a step or an output cannot be proven.
+pub fn simulate<R: Rng>(
+    bearing: Bearing,
+    noise: Noise,
+    steps: usize,
+    rng: &mut R,
+) -> Result<Truth<4, 2>, ScenarioError> {
+    let mut process = noise.source(PROCESS_SIGMA.map(|sigma| 3.0 * sigma));
+    let mut output = noise.source(NOISE_SIGMA.map(|sigma| 3.0 * sigma));
+    let sensor = Polar(bearing);
+    let advance = |step, x: &[f64; 4], rng: &mut R| advance(x, &process.draw(rng), &process.bounds(), step);
+    Truth::run(INITIAL, steps, rng, advance, |step, x, rng| measured(&sensor, x, &mut output, step, rng))
+}
+
+/// The state after `x` with speeds near those that the noise leads to.
+fn advance(x: &[f64; 4], w: &[f64; 4], bounds: &[f64; 4], step: usize) -> Result<[f64; 4], ScenarioError> {
+    let refused = |component, found| TruthError::ProcessNoise { step, component, bound: bounds[component], found };
+    let [x1, x2, x3, x4] = x.map(Interval::point);
+    let mut image = [Interval::ZERO; 4];
+    Drive.eval(&[x1, x2, x3, x4, Interval::ZERO, Interval::ZERO, Interval::ZERO, Interval::ZERO], &[], &mut image);
+    let mut next = [0.0; 4];
+    for i in [0, 1] {
+        next[i] = exact_sum(x[i], 0.5 * x[i + 2]).ok_or_else(|| refused(i, image[i].rad()))?;
     }
-    truth
+    for i in [2, 3] {
+        next[i] = ((image[i].mid() + w[i]) / GRID).round() * GRID;
+        let noise = Interval::point(next[i]) - image[i];
+        if !proven_within(&noise, bounds[i]) {
+            return Err(refused(i, noise.mag()).into());
+        }
+    }
+    Ok(next)
 }

@@ -1,7 +1,7 @@
 //! Rows of `results.json` from the cells of the studies.
 
 use super::plant::Bearing;
-use super::study::{MARKS, Setting};
+use super::setting::{MARKS, Setting};
 use crate::Row;
 use crate::contest::{Cell, Noise, Paper};
 
@@ -52,13 +52,7 @@ pub fn readings(cells: &[Cell<4>]) -> Vec<Row> {
 /// Half widths of the bounds of `x1` and `x4` at some steps.
 #[must_use]
 pub fn half_widths(cells: &[Cell<4>]) -> Vec<Row> {
-    let row = |cell: &Cell<4>, mark: usize, i: usize| {
-        let metric = format!("half-width(x{})@{}", i + 1, MARKS[mark]);
-        cell.row(HALF_WIDTHS, metric, UNITS[i]).mean_of(&cell.samples(|run| run.marks[mark][i]))
-    };
-    let of =
-        |cell: &Cell<4>| -> Vec<Row> { (0..MARKS.len()).flat_map(|mark| [0, 3].map(|i| row(cell, mark, i))).collect() };
-    cells.iter().flat_map(of).collect()
+    cells.iter().flat_map(|cell| cell.half_width_rows(HALF_WIDTHS, UNITS, &[0, 3], &MARKS)).collect()
 }
 
 /// How often the truth is held, and what goes wrong.

@@ -3,8 +3,8 @@
 use estimators::Estimator;
 use scenarios::batch_reactor::filters::{Contender, PUBLISHED, VARIANTS, ZfSetting};
 use scenarios::batch_reactor::plant::{Rates, simulate};
-use scenarios::batch_reactor::study::{MARKS, STEPS, Setting, study};
-use scenarios::contest::{Cell, Noise};
+use scenarios::batch_reactor::setting::{MARKS, STEPS, Setting};
+use scenarios::contest::{Arena, Cell, Noise, study};
 use scenarios::{Context, monte_carlo};
 
 /// Half widths of the zonotopic filter's hull at [`MARKS`], from an independent computation; they hardly depend on the noises.
@@ -19,7 +19,7 @@ const HALF_WIDTHS: [[f64; 2]; 7] = [
 ];
 
 fn cells(noise: Noise, runs: usize, contenders: &[Contender]) -> Vec<Cell<2>> {
-    study(&Context::new(1), runs, Setting::of_the_paper(noise), "test", contenders).unwrap()
+    study(&Context::new(1), runs, &Setting::of_the_paper(noise), "test", contenders).unwrap()
 }
 
 fn named(method: &str) -> Contender {
@@ -66,6 +66,7 @@ fn with_bounded_noise_the_truth_is_never_lost() {
     for cell in &cells {
         for run in &cell.runs {
             assert_eq!((run.held, run.watched, run.refuted, run.diverged), (STEPS, STEPS, 0, None), "{}", cell.method);
+            assert_eq!((run.boxed, run.proven), (STEPS, STEPS), "{}", cell.method);
         }
     }
     // What tightening gives depends on the noises that come.

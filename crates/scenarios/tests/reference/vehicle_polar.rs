@@ -3,20 +3,22 @@
 use estimators::kalman::{ByFunction, Ekf, Flat, Gaussian};
 use estimators::{Estimator, LinearizedZf};
 use nalgebra::{Matrix1, Matrix4, Vector1, Vector4};
-use nonlin_bounds::function;
+use nonlin_bounds::{Function, function};
+use scalars::Interval;
 use scenarios::Context;
-use scenarios::contest::Noise;
+use scenarios::contest::{Arena, Noise, study};
+use scenarios::truth::{exact_sum, proven_within};
 use scenarios::vehicle_polar::filters::{ESTIMATE, GUARANTEED, NOISE_BOUND, PROCESS_BOUND, PUBLISHED, options, system};
-use scenarios::vehicle_polar::plant::{Bearing, Drive};
-use scenarios::vehicle_polar::study::{Setting, study};
+use scenarios::vehicle_polar::plant::{Bearing, Drive, Polar};
+use scenarios::vehicle_polar::setting::Setting;
 use setrep::Zonotope;
 
 /// Shows 2: Table 2 within 6 %; the zonotopic filter, which takes hundreds of times longer, on its first runs: as the unscented filter there.
 #[test]
 fn table_2() {
     let context = Context::new(1);
-    let statistical = &study(&context, 100, Setting::fitted(Noise::Gaussian), "test", &PUBLISHED[..1]).unwrap()[0];
-    let sets = &study(&context, 3, Setting::fitted(Noise::Gaussian), "test", &PUBLISHED[1..2]).unwrap()[0];
+    let statistical = &study(&context, 100, &Setting::fitted(Noise::Gaussian), "test", &PUBLISHED[..1]).unwrap()[0];
+    let sets = &study(&context, 3, &Setting::fitted(Noise::Gaussian), "test", &PUBLISHED[1..2]).unwrap()[0];
     assert_eq!((statistical.diverged(), sets.diverged()), (0, 0));
     for (i, paper) in [0.87, 0.87, 0.22, 0.22].into_iter().enumerate() {
         let mean = statistical.samples(|run| run.rmse[i]).iter().sum::<f64>() / 100.0;
@@ -36,6 +38,29 @@ fn table_2() {
     assert!(sets.runs.iter().all(|run| run.boxed == run.watched));
 }
 
+/// The truth contract: positions move exactly, and the noises of speeds and outputs that are enclosed keep three standard deviations.
+#[test]
+fn a_run_is_an_exact_trajectory() {
+    let truth = Setting::fitted(Noise::Truncated).truth(&Context::new(1), 0).unwrap();
+    let point = |x: &[f64], noises: usize| -> Vec<Interval> {
+        x.iter().copied().map(Interval::point).chain(std::iter::repeat_n(Interval::ZERO, noises)).collect()
+    };
+    for pair in truth.states.windows(2) {
+        let mut image = [Interval::ZERO; 4];
+        Drive.eval(&point(&pair[0], 4), &[], &mut image);
+        for i in [0, 1] {
+            assert_eq!(exact_sum(pair[0][i], 0.5 * pair[0][i + 2]), Some(pair[1][i]));
+        }
+        assert!([2, 3].iter().all(|&i| proven_within(&(Interval::point(pair[1][i]) - image[i]), 0.3)));
+    }
+    for (x, y) in truth.states.iter().zip(&truth.outputs) {
+        let mut seen = [Interval::ZERO; 2];
+        Polar(Bearing::Atan).eval(&point(x, 2), &[], &mut seen);
+        let bounds = [0.15_f64, 2.618e-3];
+        assert!((0..2).all(|i| proven_within(&(Interval::point(y[i]) - seen[i]), bounds[i].next_up())));
+    }
+}
+
 /// Shows 2: the center of the zonotopic filter is the estimate of the extended Kalman filter with the same bounds for standard deviations
 /// (nine times the variances), one output after the other.
 #[test]
@@ -49,7 +74,7 @@ fn the_center_is_an_extended_kalman_filter() {
     let first = Zonotope::from_box(&ESTIMATE, &[3.0; 4]).unwrap();
     let system = system(Bearing::Atan, PROCESS_BOUND, NOISE_BOUND).unwrap();
     let mut zf = LinearizedZf::new(system, first, options()).unwrap();
-    let truth = Setting::fitted(Noise::Gaussian).truth(&Context::new(1), 0);
+    let truth = Setting::fitted(Noise::Gaussian).truth(&Context::new(1), 0).unwrap();
     for (k, y) in truth.outputs[..250].iter().enumerate() {
         zf.predict(&[]).unwrap();
         zf.update(y).unwrap();
@@ -70,7 +95,7 @@ fn the_center_is_an_extended_kalman_filter() {
 /// Shows 5: the filter with a guarantee diverges, and says so; also from a small set around the truth.
 #[test]
 fn the_guaranteed_filter_diverges() {
-    let cells = study(&Context::new(1), 3, Setting::fitted(Noise::Truncated), "test", &GUARANTEED).unwrap();
+    let cells = study(&Context::new(1), 3, &Setting::fitted(Noise::Truncated), "test", &GUARANTEED).unwrap();
     for cell in &cells {
         let steps: Vec<_> = cell.runs.iter().map(|run| run.diverged).collect();
         println!("{} diverged at {steps:?}", cell.method);
