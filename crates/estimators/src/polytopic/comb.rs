@@ -12,7 +12,7 @@ use crate::set_filter::{inconsistent, under};
 use crate::{Culprit, Estimator, EstimatorError, Evidence, Guarantee, Method, SetFilter};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// A filter that can be a member of a [`Comb`]: it can be put back on a polytope, and its set can be had as one.
 ///

@@ -6,7 +6,7 @@ use setrep::{
 };
 
 /// Corners of a conversion that are one up to this share of the set's extents.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// A remainder beyond this share of the set's extent is not rounding.
 const MODEL_SIZE: f64 = 1e-6;

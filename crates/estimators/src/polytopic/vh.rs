@@ -16,7 +16,7 @@ use crate::set_filter::{Equation, inconsistent};
 use crate::{Culprit, EstimatorError, Evidence, FilterState, Measured, Method, Phase, SetFilter, System};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// Guaranteed state estimation with polytopes in vertex form (V-H).
 ///

@@ -9,7 +9,7 @@ use crate::{BoundError, DynFunction, Expansion, Workspace};
 
 /// A side below this share of the image's extent is rounding, or as good as: it goes to the remainder and doubles no corner. Corners that
 /// are no vertices up to this share are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// A side below this share of its own magnitude is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;

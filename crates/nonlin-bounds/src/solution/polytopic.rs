@@ -8,7 +8,7 @@ use crate::expanded::Expanded;
 use crate::{BoundError, DynFunction, Expansion, Operand, Workspace};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// Solution set `{ x in X : g(x, p) in Y }` in a polytope `X = conv V + [-r, r]`, `Y = { y : A y <= b }`.
 ///
