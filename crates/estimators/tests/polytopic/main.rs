@@ -7,7 +7,6 @@ mod containment;
 mod contradictions;
 mod hard_sets;
 mod plants;
-mod scratch;
 mod stability;
 #[path = "../support/mod.rs"]
 mod support;

@@ -64,17 +64,18 @@ fn noise_at_its_vertices_is_contained() -> Result<(), ScenarioError> {
     Ok(())
 }
 
-/// Example II: sizes of the magnitude of Table III, a dozen vertices with process noise, and nothing lost.
+/// Example II: sizes of the magnitude of Table III, a dozen vertices with process noise, and nothing lost. Noises at their vertices leave less.
 #[test]
 fn example_2_has_the_magnitude_of_table_3() -> Result<(), ScenarioError> {
     for setting in [Setting::NOISY, Setting::WIDE, Setting::VERTICES] {
         let mut contenders = unicycle::contenders(setting)?;
         contenders.retain(|contender| contender.method != "comb");
+        let least = if setting == Setting::VERTICES { 0.0 } else { 1e-6 };
         let simulate = |rng: &mut _| unicycle::plant::simulate(setting.is_noisy, setting.kind, unicycle::STEPS, rng);
         for cell in study_sizes(&Context::new(1), "unicycle test", 4, simulate, contenders)? {
             check(&cell);
             println!("{} {}: {:?}", setting.label(), cell.method, cell.curve(0));
-            assert!(cell.curve(0).iter().all(|volume| (1e-7..2e-4).contains(volume)), "{}", cell.method);
+            assert!(cell.curve(0).iter().all(|volume| (least..1e-4).contains(volume)), "{}", cell.method);
             if cell.method == "vh" {
                 assert!(cell.curve(1).iter().all(|vertices| (4.0..40.0).contains(vertices)));
             }
@@ -88,13 +89,13 @@ fn example_2_has_the_magnitude_of_table_3() -> Result<(), ScenarioError> {
 fn example_2_without_noise_is_bounded() -> Result<(), ScenarioError> {
     let setting = Setting::QUIET;
     let mut contenders = unicycle::contenders(setting)?;
-    contenders.retain(|contender| ["vh", "vh/tight", "rcz"].contains(&&*contender.method));
+    contenders.retain(|contender| contender.method.starts_with("vh"));
     let simulate = |rng: &mut _| unicycle::plant::simulate(false, setting.kind, unicycle::STEPS, rng);
     for cell in study_sizes(&Context::new(1), "unicycle test, quiet", 2, simulate, contenders)? {
         check(&cell);
         println!("{}: {:?}, vertices {:.1?}", cell.method, cell.curve(0), cell.curve(1));
-        assert!(cell.curve(1).iter().all(|vertices| *vertices <= 200.0));
-        assert!(cell.curve(0)[4] <= cell.curve(0)[0]);
+        assert!(cell.curve(1).iter().all(|vertices| *vertices <= 64.0));
+        assert!(cell.curve(0)[4] <= 0.2 * cell.curve(0)[0]);
     }
     Ok(())
 }
