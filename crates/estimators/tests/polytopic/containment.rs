@@ -16,7 +16,9 @@ fn follow(example: &Example, draw: Draw, steps: usize, random: &mut Random) {
             if k > 0 {
                 filter.advance(&[]).unwrap_or_else(|error| panic!("{name}, {draw:?}, step {k}: {error}"));
             }
-            filter.correct(Some(&y.iter().map(|&y| Some(y)).collect::<Vec<_>>())).unwrap_or_else(|error| panic!("{name}, {draw:?}, step {k}: {error}"));
+            filter
+                .correct(Some(&y.iter().map(|&y| Some(y)).collect::<Vec<_>>()))
+                .unwrap_or_else(|error| panic!("{name}, {draw:?}, step {k}: {error}"));
             let set = filter.half_spaces(200, &mut workspace).unwrap();
             let verdict = set.membership(x).unwrap();
             assert_ne!(verdict, setrep::Membership::ProvenOutside, "{name}, {draw:?}, step {k}: {x:?}");
