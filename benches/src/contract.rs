@@ -41,9 +41,7 @@ fn replay() -> Bench {
 struct Chain;
 
 impl Function for Chain {
-    fn variables(&self) -> usize {
-        64
-    }
+    const VARIABLES: Option<usize> = Some(64);
     fn outputs(&self) -> usize {
         1
     }

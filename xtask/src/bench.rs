@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::process::{cargo, succeed};
+use xtask::{cargo, succeed};
 
 /// Arguments of `bench`.
 #[derive(Args)]

@@ -2,8 +2,8 @@
 
 use std::process::{Command, Stdio};
 
-use crate::process::{cargo, root, succeed};
 use crate::{test, tidy};
+use xtask::{cargo, root, succeed};
 
 /// fmt, clippy, tidy, rustdoc, licences, tests, in the order of how soon they fail.
 pub(crate) fn run() -> Result<(), String> {

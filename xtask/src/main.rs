@@ -2,15 +2,16 @@
 
 mod bench;
 mod ci;
-mod process;
 mod reproduce;
 mod soak;
 mod test;
 mod tidy;
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use xtask::exit;
 
 /// The project's commands.
 #[derive(Parser)]
@@ -22,8 +23,13 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Runs the papers' experiments and writes their tables and figures beside ours.
-    Reproduce(reproduce::Arguments),
+    /// Runs the papers' experiments and writes their tables and figures beside ours (`reproduce --help` lists the options).
+    #[command(disable_help_flag = true)]
+    Reproduce {
+        /// Experiments (all by default) and options.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
     /// Runs the tests of the whole workspace, doctests included.
     Test(test::Arguments),
     /// Checks the rules of the project: crate edges, doc heads, stray unsafe, file lengths, reasons for dependencies.
@@ -37,19 +43,12 @@ enum Command {
 }
 
 fn main() -> ExitCode {
-    let outcome = match Cli::parse().command {
-        Command::Reproduce(arguments) => reproduce::run(&arguments),
+    exit(match Cli::parse().command {
+        Command::Reproduce { arguments } => reproduce::run(&arguments),
         Command::Test(arguments) => test::run(&arguments),
         Command::Tidy => tidy::run(),
         Command::Ci => ci::run(),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Soak(arguments) => soak::run(&arguments),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("error: {message}");
-            ExitCode::FAILURE
-        }
-    }
+    })
 }

@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use crate::process::{cargo, succeed};
+use xtask::{cargo, succeed};
 
 /// Arguments of `soak`.
 #[derive(Args)]
@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     }
     let chosen = |name: &str| arguments.packages.is_empty() || arguments.packages.iter().any(|package| package == name);
     for (package, batteries) in PACKAGES.into_iter().filter(|(name, _)| chosen(name)) {
-        let mut command = cargo(&["test", "--release", "--package", package]);
+        let mut command = cargo(&["test", "--release", "--all-features", "--package", package]);
         for battery in batteries {
             command.args(["--test", battery]);
         }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::process::{DATA_VARIABLE, cargo, data_folder, succeed};
+use xtask::{DATA_VARIABLE, cargo, data_folder, succeed};
 
 /// Arguments of `test`.
 #[derive(Args, Default)]

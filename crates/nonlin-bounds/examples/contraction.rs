@@ -9,9 +9,7 @@ use scalars::{Interval, Scalar};
 struct Distances;
 
 impl Function for Distances {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         3
     }

@@ -13,9 +13,7 @@ use setrep::{ConstrainedZonotope, HPolytope, Matrix, VPolytope};
 struct Planar;
 
 impl Function for Planar {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
 
     fn outputs(&self) -> usize {
         2

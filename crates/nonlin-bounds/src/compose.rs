@@ -58,6 +58,7 @@ pub fn stack<F: Function, G: Function>(first: F, second: G) -> Result<Stack<F, G
 }
 
 impl<F: Function, G: Function> Function for Then<F, G> {
+    const VARIABLES: Option<usize> = F::VARIABLES;
     fn variables(&self) -> usize {
         self.first.variables()
     }
@@ -77,6 +78,7 @@ impl<F: Function, G: Function> Function for Then<F, G> {
 }
 
 impl<F: Function, G: Function> Function for Stack<F, G> {
+    const VARIABLES: Option<usize> = F::VARIABLES;
     fn variables(&self) -> usize {
         self.first.variables()
     }
@@ -95,6 +97,7 @@ impl<F: Function, G: Function> Function for Stack<F, G> {
 }
 
 impl<F: Function> Function for &F {
+    const VARIABLES: Option<usize> = F::VARIABLES;
     fn variables(&self) -> usize {
         (**self).variables()
     }

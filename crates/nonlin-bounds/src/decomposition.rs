@@ -179,10 +179,18 @@ impl Search<'_> {
     /// Keeps a row if it is finite and its residual is among the narrowest so far.
     fn offer(&mut self, row: Vec<f64>, residual: Interval) {
         let finite = residual.is_bounded() && row.iter().all(|entry| entry.is_finite());
-        let place = self.best.partition_point(|(_, better)| better.width() <= residual.width());
-        if finite && place < self.count.max(1) && self.best.iter().all(|(known, _)| *known != row) {
+        let place = self.best.partition_point(|(known, better)| cost(known, better) <= cost(&row, &residual));
+        let is_known = self.best[..place].iter().any(|(known, _)| *known == row);
+        if finite && place < self.count.max(1) && !is_known {
+            // The same row with a wider residual says nothing more.
+            self.best.retain(|(known, _)| *known != row);
             self.best.truncate(self.count.max(1) - 1);
-            self.best.insert(place.min(self.best.len()), (row, residual));
+            self.best.insert(place, (row, residual));
         }
     }
+}
+
+/// The width of a residual. Where two are the same but for rounding, as by symmetry, the shorter row is better: less of it is lost with the constraints.
+fn cost(row: &[f64], residual: &Interval) -> f64 {
+    residual.width() + 1e-6 * row.iter().map(|entry| entry.abs()).sum::<f64>()
 }

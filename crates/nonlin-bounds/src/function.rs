@@ -13,8 +13,19 @@ use crate::{BoundError, Jet, Operand};
 ///
 /// The body must not branch on values. Constants that are not `f64` numbers enter as `S::ratio(1, 7)`, `S::decimal("0.1")`, `S::pi()`.
 pub trait Function {
+    /// The number of variables where it is a constant of the type. Code is then compiled only for the passes that so many variables take, not for
+    /// each width of pass. A function of any size leaves it out and implements [`variables`](Self::variables); the compiler refuses one
+    /// that does neither.
+    const VARIABLES: Option<usize> = None;
     /// Number `n` of variables.
-    fn variables(&self) -> usize;
+    fn variables(&self) -> usize {
+        const {
+            match Self::VARIABLES {
+                Some(n) => n,
+                None => panic!("a Function needs VARIABLES or variables()"),
+            }
+        }
+    }
     /// Number `q` of parameters.
     fn parameters(&self) -> usize {
         0

@@ -29,9 +29,7 @@ macro_rules! function {
         #[derive(Debug, Clone, Copy)]
         struct Body;
         impl $crate::Function for Body {
-            fn variables(&self) -> usize {
-                $n
-            }
+            const VARIABLES: Option<usize> = Some($n);
             fn parameters(&self) -> usize {
                 $q
             }

@@ -5,7 +5,7 @@ mod licenses;
 mod reasons;
 mod sources;
 
-use crate::process::{cargo, root};
+use xtask::{cargo, root};
 
 /// A rule that is broken: where, and what.
 type Finding = String;

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use super::{Finding, read};
-use crate::process::root;
+use xtask::root;
 
 /// Lines above which a file holds more than one concept.
 const LONGEST: usize = 500;

@@ -40,7 +40,7 @@ use scratch::Scratch;
 /// /// A pendulum with friction, pushed a little by the wind: angle and rate, variables `(angle, rate, wind)`.
 /// struct Swing;
 /// impl Function for Swing {
-///     fn variables(&self) -> usize { 3 }
+///     const VARIABLES: Option<usize> = Some(3);
 ///     fn outputs(&self) -> usize { 2 }
 ///     fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) {
 ///         let dt = S::decimal("0.05");
@@ -51,7 +51,7 @@ use scratch::Scratch;
 /// /// Its height is seen, with an error: variables `(angle, rate, error)`.
 /// struct Height;
 /// impl Function for Height {
-///     fn variables(&self) -> usize { 3 }
+///     const VARIABLES: Option<usize> = Some(3);
 ///     fn outputs(&self) -> usize { 1 }
 ///     fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) { y[0] = S::one() - x[0].cos() + x[2]; }
 /// }

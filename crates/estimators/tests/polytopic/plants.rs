@@ -11,9 +11,7 @@ use crate::support::Random;
 pub(crate) struct Planar;
 
 impl Function for Planar {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }
@@ -28,9 +26,7 @@ impl Function for Planar {
 pub(crate) struct PlanarOutput;
 
 impl Function for PlanarOutput {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }
@@ -44,9 +40,7 @@ impl Function for PlanarOutput {
 pub(crate) struct Unicycle;
 
 impl Function for Unicycle {
-    fn variables(&self) -> usize {
-        6
-    }
+    const VARIABLES: Option<usize> = Some(6);
     fn outputs(&self) -> usize {
         3
     }
@@ -62,9 +56,7 @@ impl Function for Unicycle {
 pub(crate) struct UnicycleOutput;
 
 impl Function for UnicycleOutput {
-    fn variables(&self) -> usize {
-        7
-    }
+    const VARIABLES: Option<usize> = Some(7);
     fn outputs(&self) -> usize {
         4
     }

@@ -156,9 +156,7 @@ fn budgets_of_nothing_still_enclose() {
 fn dynamics_without_bounds_are_an_error() {
     struct Pole;
     impl Function for Pole {
-        fn variables(&self) -> usize {
-            4
-        }
+        const VARIABLES: Option<usize> = Some(4);
         fn outputs(&self) -> usize {
             2
         }

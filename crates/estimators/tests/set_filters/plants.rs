@@ -12,9 +12,7 @@ use crate::support::Random;
 pub(crate) struct PlanarStep;
 
 impl Function for PlanarStep {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }
@@ -29,9 +27,7 @@ impl Function for PlanarStep {
 pub(crate) struct PlanarOutput;
 
 impl Function for PlanarOutput {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }
@@ -45,9 +41,7 @@ impl Function for PlanarOutput {
 pub(crate) struct AttitudeStep;
 
 impl Function for AttitudeStep {
-    fn variables(&self) -> usize {
-        7
-    }
+    const VARIABLES: Option<usize> = Some(7);
     fn parameters(&self) -> usize {
         3
     }
@@ -69,9 +63,7 @@ impl Function for AttitudeStep {
 pub(crate) struct AttitudeOutput;
 
 impl Function for AttitudeOutput {
-    fn variables(&self) -> usize {
-        10
-    }
+    const VARIABLES: Option<usize> = Some(10);
     fn outputs(&self) -> usize {
         6
     }
@@ -93,9 +85,7 @@ impl Function for AttitudeOutput {
 pub(crate) struct SquaredNorm;
 
 impl Function for SquaredNorm {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         1
     }

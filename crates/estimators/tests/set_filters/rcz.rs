@@ -132,9 +132,7 @@ fn an_outlier_is_a_proven_contradiction_and_leaves_the_filter_as_it_was() {
 struct Root;
 
 impl Function for Root {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
     fn outputs(&self) -> usize {
         1
     }

@@ -12,9 +12,7 @@ use crate::support::{Random, cases};
 struct LinearOutput;
 
 impl Function for LinearOutput {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }
@@ -28,9 +26,7 @@ impl Function for LinearOutput {
 struct SharpStep;
 
 impl Function for SharpStep {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }

@@ -85,9 +85,7 @@ fn planar_example_has_the_published_radii() {
 struct TextbookAttitude;
 
 impl Function for TextbookAttitude {
-    fn variables(&self) -> usize {
-        7
-    }
+    const VARIABLES: Option<usize> = Some(7);
     fn parameters(&self) -> usize {
         3
     }

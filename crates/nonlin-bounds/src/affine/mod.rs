@@ -71,7 +71,7 @@ impl Form {
 ///
 /// struct Square;
 /// impl Function for Square {
-///     fn variables(&self) -> usize { 1 }
+///     const VARIABLES: Option<usize> = Some(1);
 ///     fn outputs(&self) -> usize { 1 }
 ///     fn eval<S: Scalar>(&self, x: &[S], _p: &[S], y: &mut [S]) { y[0] = x[0].sqr(); }
 /// }

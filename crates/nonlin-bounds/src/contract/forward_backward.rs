@@ -28,7 +28,7 @@ use crate::{BoundError, Function, Operand, Workspace};
 ///
 /// struct Norm;
 /// impl Function for Norm {
-///     fn variables(&self) -> usize { 2 }
+///     const VARIABLES: Option<usize> = Some(2);
 ///     fn outputs(&self) -> usize { 1 }
 ///     fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) {
 ///         y[0] = x[0].sqr() + x[1].sqr();

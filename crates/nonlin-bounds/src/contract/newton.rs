@@ -26,7 +26,7 @@ use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace}
 /// # use scalars::{Interval, Scalar};
 /// struct Parabola; // x^2 = 2
 /// impl Function for Parabola {
-///     fn variables(&self) -> usize { 1 }
+///     const VARIABLES: Option<usize> = Some(1);
 ///     fn outputs(&self) -> usize { 1 }
 ///     fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) {
 ///         y[0] = x[0].sqr();

@@ -166,15 +166,40 @@ pub(crate) fn enclose<F: Function>(
 ) -> Result<(), BoundError> {
     BoundError::check_box(Operand::Variables, f.variables(), x)?;
     BoundError::check_box(Operand::Parameters, f.parameters(), p)?;
-    match (order, x.len()) {
-        (Order::Value, _) | (_, 0) => values(f, order, x, p, jet),
-        (Order::Jacobian, ..=2) => jacobian::<_, Dual<Interval, 2, Decorated>>(f, x, p, jet),
-        (Order::Jacobian, ..=4) => jacobian::<_, Dual<Interval, 4, Decorated>>(f, x, p, jet),
-        (Order::Jacobian, _) => jacobian::<_, Dual<Interval, 8, Decorated>>(f, x, p, jet),
-        (Order::Hessian, ..=2) => hessians::<_, Second<Interval, 2, 3, Decorated>>(f, x, p, jet),
-        (Order::Hessian, ..=4) => hessians::<_, Second<Interval, 4, 10, Decorated>>(f, x, p, jet),
-        (Order::Hessian, _) => hessians::<_, Second<Interval, 8, 36, Decorated>>(f, x, p, jet),
+    if order == Order::Value || x.is_empty() {
+        return values(f, order, x, p, jet);
     }
+    // Branches of constants: a pass that this type of function never takes is not compiled for it.
+    if const { takes(F::VARIABLES, 0, 2) } && x.len() <= 2 {
+        return derivatives::<_, Dual<Interval, 2, Decorated>, Second<Interval, 2, 3, Decorated>>(f, order, x, p, jet);
+    }
+    if const { takes(F::VARIABLES, 3, 4) } && x.len() <= 4 {
+        return derivatives::<_, Dual<Interval, 4, Decorated>, Second<Interval, 4, 10, Decorated>>(f, order, x, p, jet);
+    }
+    if const { takes(F::VARIABLES, 5, usize::MAX) } {
+        return derivatives::<_, Dual<Interval, 8, Decorated>, Second<Interval, 8, 36, Decorated>>(f, order, x, p, jet);
+    }
+    // Only where the constant is not the number of variables.
+    BoundError::check_size(Operand::Variables, F::VARIABLES.unwrap_or_default(), x.len())
+}
+
+/// Whether functions with this constant can have a number of variables from `least` to `most`.
+pub(crate) const fn takes(variables: Option<usize>, least: usize, most: usize) -> bool {
+    match variables {
+        Some(n) => least <= n && n <= most,
+        None => true,
+    }
+}
+
+/// Derivatives of order one or two, by passes of the type for each.
+fn derivatives<F: Function, D: Pass, H: Pass>(
+    f: &F,
+    order: Order,
+    x: &[Interval],
+    p: &[Interval],
+    jet: &mut Jet,
+) -> Result<(), BoundError> {
+    if order == Order::Hessian { hessians::<_, H>(f, x, p, jet) } else { jacobian::<_, D>(f, x, p, jet) }
 }
 
 /// Ranges only.

@@ -108,7 +108,7 @@ impl AffineEnclosure {
 ///
 /// struct Product;
 /// impl Function for Product {
-///     fn variables(&self) -> usize { 2 }
+///     const VARIABLES: Option<usize> = Some(2);
 ///     fn outputs(&self) -> usize { 1 }
 ///     fn eval<S: Scalar>(&self, x: &[S], _p: &[S], y: &mut [S]) { y[0] = x[0] * x[1]; }
 /// }

@@ -46,9 +46,7 @@ pub enum ConvexSplit<'a> {
 ///
 /// struct Square;
 /// impl Function for Square {
-///     fn variables(&self) -> usize {
-///         1
-///     }
+///     const VARIABLES: Option<usize> = Some(1);
 ///     fn outputs(&self) -> usize {
 ///         1
 ///     }

@@ -41,6 +41,7 @@ macro_rules! discrete_model {
         }
 
         impl<F: Function> Function for $type<F> {
+            const VARIABLES: Option<usize> = F::VARIABLES;
             fn variables(&self) -> usize {
                 self.field.variables()
             }

@@ -73,9 +73,7 @@ pub(crate) struct Scratch {
 ///
 /// struct Product;
 /// impl Function for Product {
-///     fn variables(&self) -> usize {
-///         2
-///     }
+///     const VARIABLES: Option<usize> = Some(2);
 ///     fn outputs(&self) -> usize {
 ///         1
 ///     }

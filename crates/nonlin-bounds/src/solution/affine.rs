@@ -86,7 +86,7 @@ impl AffineEnclosure {
     ///
     /// struct Circle;
     /// impl Function for Circle {
-    ///     fn variables(&self) -> usize { 2 }
+    ///     const VARIABLES: Option<usize> = Some(2);
     ///     fn outputs(&self) -> usize { 1 }
     ///     fn eval<S: Scalar>(&self, x: &[S], _p: &[S], y: &mut [S]) { y[0] = x[0].sqr() + x[1].sqr(); }
     /// }

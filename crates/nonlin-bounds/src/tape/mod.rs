@@ -42,7 +42,7 @@ use symbol::{Recording, Symbol};
 ///
 /// struct Ring;
 /// impl Function for Ring {
-///     fn variables(&self) -> usize { 2 }
+///     const VARIABLES: Option<usize> = Some(2);
 ///     fn outputs(&self) -> usize { 2 }
 ///     fn eval<S: Scalar>(&self, x: &[S], _: &[S], y: &mut [S]) {
 ///         let radius = (x[0] * x[0] + x[1] * x[1]).sqrt();

@@ -55,9 +55,7 @@ pub(crate) fn each(visitor: &mut impl Visitor) {
 pub(crate) struct PlanarMap;
 
 impl Function for PlanarMap {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         2
     }
@@ -73,9 +71,7 @@ impl Function for PlanarMap {
 pub(crate) struct PlanarOutput;
 
 impl Function for PlanarOutput {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         2
     }
@@ -92,9 +88,7 @@ impl Function for PlanarOutput {
 pub(crate) struct Attitude;
 
 impl Function for Attitude {
-    fn variables(&self) -> usize {
-        7
-    }
+    const VARIABLES: Option<usize> = Some(7);
     fn parameters(&self) -> usize {
         3
     }
@@ -120,9 +114,7 @@ impl Function for Attitude {
 pub(crate) struct AttitudeOutput;
 
 impl Function for AttitudeOutput {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         6
     }
@@ -160,9 +152,7 @@ impl Function for UnitNorm {
 pub(crate) struct Unicycle;
 
 impl Function for Unicycle {
-    fn variables(&self) -> usize {
-        6
-    }
+    const VARIABLES: Option<usize> = Some(6);
     fn parameters(&self) -> usize {
         2
     }
@@ -182,9 +172,7 @@ impl Function for Unicycle {
 pub(crate) struct Landmarks;
 
 impl Function for Landmarks {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
     fn parameters(&self) -> usize {
         4
     }
@@ -205,9 +193,7 @@ impl Function for Landmarks {
 pub(crate) struct Reactor;
 
 impl Function for Reactor {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         2
     }
@@ -223,9 +209,7 @@ impl Function for Reactor {
 pub(crate) struct Vehicle;
 
 impl Function for Vehicle {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn parameters(&self) -> usize {
         1
     }
@@ -246,9 +230,7 @@ impl Function for Vehicle {
 pub(crate) struct RangeBearing;
 
 impl Function for RangeBearing {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         2
     }
@@ -263,9 +245,7 @@ impl Function for RangeBearing {
 pub(crate) struct Elementary;
 
 impl Function for Elementary {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         19
     }

@@ -17,9 +17,7 @@ macro_rules! contract {
     ($x:expr, $y:expr, |$a:ident, $b:ident| $expression:expr) => {{
         struct Written;
         impl Function for Written {
-            fn variables(&self) -> usize {
-                2
-            }
+            const VARIABLES: Option<usize> = Some(2);
             fn outputs(&self) -> usize {
                 1
             }
@@ -159,9 +157,7 @@ fn one_occurrence_gives_the_hull() {
 struct Linear;
 
 impl Function for Linear {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
     fn outputs(&self) -> usize {
         3
     }

@@ -14,9 +14,7 @@ fn interval(lo: f64, hi: f64) -> Interval {
 struct CircleAndCubic;
 
 impl Function for CircleAndCubic {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn parameters(&self) -> usize {
         1
     }

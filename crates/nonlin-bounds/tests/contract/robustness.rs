@@ -16,9 +16,7 @@ fn interval(lo: f64, hi: f64) -> Interval {
 struct Mixed;
 
 impl Function for Mixed {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         4
     }

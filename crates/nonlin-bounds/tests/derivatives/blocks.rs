@@ -1,6 +1,6 @@
 //! Many variables: blocks of seeds give what one pass would, and steady state allocates nothing.
 
-use nonlin_bounds::{DynFunction, Function, Jet, Order};
+use nonlin_bounds::{BoundError, DynFunction, Function, Jet, Order};
 use scalars::{Interval, Scalar};
 
 use crate::common::functions::{Domain, Visitor, each};
@@ -63,6 +63,46 @@ fn every_entry_is_at_its_place() {
             }
         }
     }
+}
+
+/// The same function with the number of variables as a constant, which need not be true.
+struct Fixed<const N: usize>(Quadratic);
+
+impl<const N: usize> Function for Fixed<N> {
+    const VARIABLES: Option<usize> = Some(N);
+    fn variables(&self) -> usize {
+        self.0.dim
+    }
+    fn outputs(&self) -> usize {
+        2
+    }
+    fn eval<S: Scalar>(&self, x: &[S], p: &[S], y: &mut [S]) {
+        self.0.eval(x, p, y);
+    }
+}
+
+fn jets<F: Function>(f: &F) -> [Result<(Vec<Interval>, Vec<Interval>), BoundError>; 2] {
+    let x: Vec<Interval> = (0..f.variables()).map(|i| Interval::new(-1.0, i as f64).unwrap()).collect();
+    [Order::Jacobian, Order::Hessian].map(|order| {
+        let mut jet = Jet::new();
+        f.enclose(order, &x, &[], &mut jet)?;
+        Ok((jet.jacobian().to_vec(), jet.hessians().to_vec()))
+    })
+}
+
+/// The constant changes no result; one that is too small is refused.
+#[test]
+fn a_fixed_number_of_variables_has_the_same_jets() {
+    fn same<const N: usize>() {
+        assert_eq!(jets(&Fixed::<N>(Quadratic { dim: N })), jets(&Quadratic { dim: N }), "{N}");
+    }
+    same::<1>();
+    same::<2>();
+    same::<3>();
+    same::<4>();
+    same::<5>();
+    same::<9>();
+    assert!(jets(&Fixed::<2>(Quadratic { dim: 3 })).iter().all(|jet| matches!(jet, Err(BoundError::Dimension { .. }))));
 }
 
 struct Steady(Jet);

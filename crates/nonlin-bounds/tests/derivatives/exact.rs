@@ -13,9 +13,7 @@ struct Polynomial {
 }
 
 impl Function for Polynomial {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
     fn outputs(&self) -> usize {
         1
     }

@@ -28,9 +28,7 @@ fn smoothness(f: &impl Function, a: (f64, f64), b: (f64, f64)) -> Smoothness {
 struct Operation(&'static str);
 
 impl Function for Operation {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         1
     }

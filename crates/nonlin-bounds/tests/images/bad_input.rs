@@ -11,9 +11,7 @@ use setrep::{ConstrainedZonotope, Matrix, SetError};
 struct Rough;
 
 impl Function for Rough {
-    fn variables(&self) -> usize {
-        1
-    }
+    const VARIABLES: Option<usize> = Some(1);
     fn outputs(&self) -> usize {
         5
     }
@@ -30,9 +28,7 @@ impl Function for Rough {
 struct Steep;
 
 impl Function for Steep {
-    fn variables(&self) -> usize {
-        1
-    }
+    const VARIABLES: Option<usize> = Some(1);
     fn outputs(&self) -> usize {
         1
     }

@@ -95,9 +95,7 @@ fn images_of_twelve_functions() {
 struct SineProduct;
 
 impl Function for SineProduct {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         1
     }
@@ -113,9 +111,7 @@ struct Convex {
 }
 
 impl Function for Convex {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         1
     }

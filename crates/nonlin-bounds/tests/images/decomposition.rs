@@ -205,9 +205,7 @@ fn a_measurement_shrinks_the_set() {
 fn bad_input() {
     struct Root;
     impl Function for Root {
-        fn variables(&self) -> usize {
-            1
-        }
+        const VARIABLES: Option<usize> = Some(1);
         fn outputs(&self) -> usize {
             1
         }

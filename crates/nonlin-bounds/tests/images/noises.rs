@@ -13,9 +13,7 @@ use crate::planar::area;
 struct Gain;
 
 impl Function for Gain {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         1
     }
@@ -28,9 +26,7 @@ impl Function for Gain {
 struct Additive;
 
 impl Function for Additive {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }
@@ -107,9 +103,7 @@ fn boxes_of_noise_cost_no_generators() {
 fn affine_functions_are_exact() {
     struct Affine;
     impl Function for Affine {
-        fn variables(&self) -> usize {
-            2
-        }
+        const VARIABLES: Option<usize> = Some(2);
         fn outputs(&self) -> usize {
             2
         }
@@ -139,9 +133,7 @@ fn affine_functions_are_exact() {
 fn skew_noise_keeps_its_shape() {
     struct Output;
     impl Function for Output {
-        fn variables(&self) -> usize {
-            4
-        }
+        const VARIABLES: Option<usize> = Some(4);
         fn outputs(&self) -> usize {
             2
         }

@@ -13,9 +13,7 @@ use crate::planar::area;
 struct PlanarMap;
 
 impl Function for PlanarMap {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         2
     }
@@ -118,9 +116,7 @@ fn figure_4() {
 struct Product;
 
 impl Function for Product {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         1
     }

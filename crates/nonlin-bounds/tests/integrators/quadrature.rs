@@ -61,9 +61,7 @@ fn integrals<S: Scalar>(t: S) -> [S; 20] {
 struct Field;
 
 impl Function for Field {
-    fn variables(&self) -> usize {
-        21
-    }
+    const VARIABLES: Option<usize> = Some(21);
     fn outputs(&self) -> usize {
         21
     }

@@ -13,9 +13,7 @@ struct Copies {
 }
 
 impl Function for Copies {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         self.outputs
     }

@@ -11,9 +11,7 @@ use super::{METHODS, interval, range_of};
 struct Rough(usize);
 
 impl Function for Rough {
-    fn variables(&self) -> usize {
-        1
-    }
+    const VARIABLES: Option<usize> = Some(1);
     fn outputs(&self) -> usize {
         1
     }

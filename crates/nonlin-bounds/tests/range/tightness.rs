@@ -94,9 +94,7 @@ fn second_order_is_exact_for_sums_of_parabolas() {
 fn mixed_monotone_is_exact_for_monotone_functions() {
     struct Monotone;
     impl Function for Monotone {
-        fn variables(&self) -> usize {
-            3
-        }
+        const VARIABLES: Option<usize> = Some(3);
         fn outputs(&self) -> usize {
             2
         }

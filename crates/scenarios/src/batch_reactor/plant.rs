@@ -35,9 +35,7 @@ pub enum Rates {
 pub struct Reaction(pub Rates);
 
 impl Function for Reaction {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
     fn outputs(&self) -> usize {
         2
     }
@@ -65,9 +63,7 @@ impl Function for Reaction {
 pub struct Pressure;
 
 impl Function for Pressure {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
     fn outputs(&self) -> usize {
         1
     }

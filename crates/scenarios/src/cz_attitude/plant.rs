@@ -21,9 +21,7 @@ pub const TRUE_START: [f64; 4] = [0.0, 1.0, 0.0, 0.0];
 pub struct AttitudeStep;
 
 impl Function for AttitudeStep {
-    fn variables(&self) -> usize {
-        7
-    }
+    const VARIABLES: Option<usize> = Some(7);
 
     fn parameters(&self) -> usize {
         3
@@ -58,9 +56,7 @@ pub(super) fn turn<S: Scalar>(x: &[S], [a, b, c]: [S; 3], cos: S, sinc: S, y: &m
 pub struct AttitudeOutput;
 
 impl Function for AttitudeOutput {
-    fn variables(&self) -> usize {
-        10
-    }
+    const VARIABLES: Option<usize> = Some(10);
 
     fn outputs(&self) -> usize {
         6
@@ -85,9 +81,7 @@ impl Function for AttitudeOutput {
 pub struct SquaredNorm;
 
 impl Function for SquaredNorm {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
 
     fn outputs(&self) -> usize {
         1

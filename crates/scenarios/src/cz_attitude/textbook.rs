@@ -11,9 +11,7 @@ use super::plant::{half_turn, turn};
 pub struct TextbookStep;
 
 impl Function for TextbookStep {
-    fn variables(&self) -> usize {
-        7
-    }
+    const VARIABLES: Option<usize> = Some(7);
 
     fn parameters(&self) -> usize {
         3

@@ -23,9 +23,7 @@ pub const START_RADIUS: f64 = 2.0;
 pub struct PlanarStep;
 
 impl Function for PlanarStep {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
 
     fn outputs(&self) -> usize {
         2
@@ -43,9 +41,7 @@ impl Function for PlanarStep {
 pub struct PlanarOutput;
 
 impl Function for PlanarOutput {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
 
     fn outputs(&self) -> usize {
         2

@@ -87,9 +87,7 @@ struct Quadratic {
 }
 
 impl Function for Quadratic {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
 
     fn outputs(&self) -> usize {
         2
@@ -108,9 +106,7 @@ impl Function for Quadratic {
 struct Unicycle;
 
 impl Function for Unicycle {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
 
     fn outputs(&self) -> usize {
         3
@@ -127,9 +123,7 @@ impl Function for Unicycle {
 struct RangeBearing;
 
 impl Function for RangeBearing {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
 
     fn outputs(&self) -> usize {
         2
@@ -144,9 +138,7 @@ impl Function for RangeBearing {
 struct PlanarOutput;
 
 impl Function for PlanarOutput {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
 
     fn outputs(&self) -> usize {
         2
@@ -161,9 +153,7 @@ impl Function for PlanarOutput {
 struct UnitNorm;
 
 impl Function for UnitNorm {
-    fn variables(&self) -> usize {
-        3
-    }
+    const VARIABLES: Option<usize> = Some(3);
 
     fn outputs(&self) -> usize {
         1

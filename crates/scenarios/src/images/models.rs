@@ -10,9 +10,7 @@ use scalars::Scalar;
 pub struct Planar;
 
 impl Function for Planar {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
 
     fn outputs(&self) -> usize {
         2
@@ -30,9 +28,7 @@ impl Function for Planar {
 pub struct UnitCircle;
 
 impl Function for UnitCircle {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
 
     fn outputs(&self) -> usize {
         1
@@ -48,9 +44,7 @@ impl Function for UnitCircle {
 pub struct UnitProduct;
 
 impl Function for UnitProduct {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
 
     fn outputs(&self) -> usize {
         1

@@ -34,9 +34,7 @@ pub enum Form {
 pub struct Step;
 
 impl Function for Step {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
 
     fn outputs(&self) -> usize {
         2
@@ -54,9 +52,7 @@ impl Function for Step {
 pub struct Outputs;
 
 impl Function for Outputs {
-    fn variables(&self) -> usize {
-        4
-    }
+    const VARIABLES: Option<usize> = Some(4);
 
     fn outputs(&self) -> usize {
         2

@@ -31,9 +31,7 @@ pub struct Robot {
 }
 
 impl Function for Robot {
-    fn variables(&self) -> usize {
-        6
-    }
+    const VARIABLES: Option<usize> = Some(6);
 
     fn outputs(&self) -> usize {
         3
@@ -60,9 +58,7 @@ impl Function for Robot {
 pub struct Landmarks;
 
 impl Function for Landmarks {
-    fn variables(&self) -> usize {
-        7
-    }
+    const VARIABLES: Option<usize> = Some(7);
 
     fn outputs(&self) -> usize {
         4

@@ -22,9 +22,7 @@ pub const NOISE_SIGMA: [f64; 2] = [0.05, 2.618e-3 / 3.0];
 pub struct Drive;
 
 impl Function for Drive {
-    fn variables(&self) -> usize {
-        8
-    }
+    const VARIABLES: Option<usize> = Some(8);
     fn outputs(&self) -> usize {
         4
     }
@@ -51,9 +49,7 @@ pub enum Bearing {
 pub struct Polar(pub Bearing);
 
 impl Function for Polar {
-    fn variables(&self) -> usize {
-        6
-    }
+    const VARIABLES: Option<usize> = Some(6);
     fn outputs(&self) -> usize {
         2
     }

@@ -43,9 +43,7 @@ fn lemma_2_as_printed_loses_a_state() {
 struct PlanarOutput;
 
 impl Function for PlanarOutput {
-    fn variables(&self) -> usize {
-        2
-    }
+    const VARIABLES: Option<usize> = Some(2);
     fn outputs(&self) -> usize {
         2
     }
