@@ -30,22 +30,12 @@ pub(crate) struct Decomposition {
 }
 
 impl Decomposition {
-    /// Decomposes `f` over a set.
+    /// Decomposes `f` over a set in up to `count` ways. Outputs that are not asked for may be unbounded: their residual is the whole line.
     pub(crate) fn of(
         f: &dyn DynFunction,
         set: &ConstrainedZonotope,
         p: &[Interval],
-        workspace: &mut Workspace,
-    ) -> Result<Self, BoundError> {
-        Self::with_others(f, set, p, 1, workspace)
-    }
-
-    /// Decomposes `f` over a set in up to `count` ways.
-    pub(crate) fn with_others(
-        f: &dyn DynFunction,
-        set: &ConstrainedZonotope,
-        p: &[Interval],
-        count: usize,
+        (count, is_asked_for): (usize, &dyn Fn(usize) -> bool),
         workspace: &mut Workspace,
     ) -> Result<Self, BoundError> {
         BoundError::check_size(Operand::Variables, f.variables(), set.dim())?;
@@ -63,7 +53,7 @@ impl Decomposition {
 
         let middle: Vec<f64> = hull.iter().map(Interval::mid).collect();
         let over_hull = Directional::over(f, &hull, &middle, p)?;
-        BoundError::check_smooth(&over_hull.over, Smoothness::C1)?;
+        BoundError::check_smooth_where(&over_hull.over, Smoothness::C1, is_asked_for)?;
         // Outside of the hull, where the generators of a constrained set reach, the function may not be smooth: then they give no rows.
         let over_body = Directional::over(f, &set.unconstrained().interval_hull(), set.center(), p).ok();
         let m = f.outputs();
@@ -72,6 +62,10 @@ impl Decomposition {
         let signs = Signs::default();
         let mut search = Search { f, p, set: &set, hull: &hull, i: 0, signs, jet: Jet::new(), count, best: Vec::new() };
         for i in 0..m {
+            if !is_asked_for(i) {
+                ways.iter_mut().for_each(|(_, residuals)| residuals.push(Interval::ENTIRE));
+                continue;
+            }
             (search.i, search.best) = (i, Vec::new());
             search.over_axes(&over_hull.along_axes(i, &hull, &middle))?;
             if let Some(body) = over_body.as_ref().filter(|body| body.over.smoothness()[i] >= Smoothness::C1) {

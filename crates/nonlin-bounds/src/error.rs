@@ -131,7 +131,17 @@ impl BoundError {
 
     /// `Ok` if every output of a jet is proven to be as smooth as `required`.
     pub(crate) fn check_smooth(jet: &Jet, required: Smoothness) -> Result<(), Self> {
-        match jet.smoothness().iter().position(|&found| found < required) {
+        Self::check_smooth_where(jet, required, |_| true)
+    }
+
+    /// As [`check_smooth`](Self::check_smooth) for the outputs that are asked for.
+    pub(crate) fn check_smooth_where(
+        jet: &Jet,
+        required: Smoothness,
+        is_asked_for: impl Fn(usize) -> bool,
+    ) -> Result<(), Self> {
+        let mut found = jet.smoothness().iter().enumerate();
+        match found.position(|(output, &found)| found < required && is_asked_for(output)) {
             None => Ok(()),
             Some(output) => Err(Self::NotSmooth { output, required, found: jet.smoothness()[output] }),
         }

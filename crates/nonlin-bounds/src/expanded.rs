@@ -26,14 +26,15 @@ impl Expanded {
         p: &[Interval],
         jet: &mut Jet,
     ) -> Result<Self, BoundError> {
-        Self::over_product(f, set, &[], at, p, jet)
+        Self::over_product(f, (set, &[]), |_| true, at, p, jet)
     }
 
-    /// Expands `f` over the interval hull of a polytope and a box of noises, whose center is its middle.
+    /// Expands `f` over the interval hull of a polytope and a box of noises, whose center is its middle. Outputs that are not asked for need not be
+    /// smooth or bounded; nothing is to be concluded from them.
     pub(crate) fn over_product(
         f: &dyn DynFunction,
-        set: &VPolytope,
-        noise: &[Interval],
+        (set, noise): (&VPolytope, &[Interval]),
+        is_asked_for: impl Fn(usize) -> bool,
         at: Expansion<'_>,
         p: &[Interval],
         jet: &mut Jet,
@@ -48,13 +49,13 @@ impl Expanded {
         let mut point = vec![0.0; n];
         at.of_zonotope(&Zonotope::point(&mean)?, &hull, &mut point)?;
         evaluate(f, Order::Jacobian, &hull, p, jet)?;
-        BoundError::check_smooth(jet, Smoothness::C1)?;
+        BoundError::check_smooth_where(jet, Smoothness::C1, &is_asked_for)?;
         let jacobian = jet.jacobian().to_vec();
         evaluate(f, Order::Value, &IntervalVector::point(&point), p, jet)?;
         let value = jet.values().to_vec();
         let unbounded =
             |i: &usize| !(value[*i].is_bounded() && jacobian[i * n..(i + 1) * n].iter().all(Interval::is_bounded));
-        match (0..value.len()).find(unbounded) {
+        match (0..value.len()).filter(|&i| is_asked_for(i)).find(unbounded) {
             Some(output) => Err(BoundError::UnboundedResult { output }),
             None => Ok(Self { point, value, jacobian }),
         }

@@ -32,6 +32,7 @@ pub fn all() -> Vec<&'static dyn Experiment> {
         &crate::cz_attitude::AttitudeExperiment,
         &crate::tank_chain::TankChainExperiment,
         &crate::polytope_planar::PolytopePlanarExperiment,
+        &crate::unicycle::UnicycleExperiment,
         &crate::batch_reactor::BatchReactorExperiment,
         &crate::vehicle_polar::VehiclePolarExperiment,
     ]

@@ -12,7 +12,7 @@ use crate::set_filter::{inconsistent, under};
 use crate::{Culprit, Estimator, EstimatorError, Evidence, Guarantee, Method, SetFilter};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// A filter that can be a member of a [`Comb`]: it can be put back on a polytope, and its set can be had as one.
 ///
@@ -36,11 +36,11 @@ pub trait CombMember: Debug + Send + Sync {
     /// Those of the filter.
     fn advance(&mut self, input: &[f64]) -> Result<(), EstimatorError>;
 
-    /// As [`Estimator::update`]; without a measurement as [`Estimator::consistency`].
+    /// As [`Estimator::update`] with a measurement of which some entries may be missing; without one as [`Estimator::consistency`].
     ///
     /// # Errors
     /// Those of the filter.
-    fn correct(&mut self, output: Option<&[f64]>) -> Result<(), EstimatorError>;
+    fn correct(&mut self, output: Option<&[Option<f64>]>) -> Result<(), EstimatorError>;
 
     /// As [`PolytopeForm::vertices`].
     ///
@@ -82,9 +82,9 @@ where
         self.predict(input)
     }
 
-    fn correct(&mut self, output: Option<&[f64]>) -> Result<(), EstimatorError> {
+    fn correct(&mut self, output: Option<&[Option<f64>]>) -> Result<(), EstimatorError> {
         match output {
-            Some(output) => self.update(output),
+            Some(output) => self.update_some(output, &[]),
             None => self.consistency(),
         }
     }
@@ -198,6 +198,16 @@ impl Comb {
         self.step
     }
 
+    /// [`update`](Estimator::update) for a measurement of which some entries may be missing.
+    ///
+    /// # Errors
+    /// As [`update`](Estimator::update).
+    pub fn update_some(&mut self, output: &[Option<f64>]) -> Result<(), EstimatorError> {
+        let present = (0..output.len()).filter(|&i| output[i].is_some());
+        let culprits: Vec<Culprit> = present.map(Culprit::Measurement).collect();
+        self.call(self.step, &culprits, &|member| member.correct(Some(output)))
+    }
+
     /// Puts all members on the set.
     fn restart(&mut self, step: u64) -> Result<(), EstimatorError> {
         let Self { members, set, workspace, .. } = self;
@@ -278,8 +288,7 @@ impl Estimator for Comb {
     }
 
     fn update(&mut self, output: &[f64]) -> Result<(), EstimatorError> {
-        let culprits: Vec<Culprit> = (0..output.len()).map(Culprit::Measurement).collect();
-        self.call(self.step, &culprits, &|member| member.correct(Some(output)))
+        self.update_some(&output.iter().map(|&y| Some(y)).collect::<Vec<_>>())
     }
 
     fn step(&mut self, input: &[f64], output: &[f64]) -> Result<(), EstimatorError> {

@@ -1,10 +1,10 @@
 //! [`DCz`]: constrained zonotopes moved by remainder-form decomposition.
 
-use nonlin_bounds::{Workspace, decomposition_image, decomposition_solution};
+use nonlin_bounds::{Workspace, decomposition_image};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, Directions, Reencoding, SetError};
 
-use crate::set_filter::of_hull;
+use super::decomposed::Cutting;
 use crate::{Culprit, EstimatorError, FilterState, Measured, Method, Phase, SetFilter, System};
 
 /// Guaranteed state estimation with constrained zonotopes by decomposition functions (D-CZ).
@@ -61,8 +61,6 @@ impl DCzOptions {
 #[derive(Debug, Default, Clone)]
 pub struct DCzScratch {
     bounds: Workspace,
-    own: Vec<Interval>,
-    held: Vec<Interval>,
     culprits: Vec<Culprit>,
 }
 
@@ -104,7 +102,7 @@ impl Method for DecomposedConstrained {
         state.step += 1;
         scratch.culprits.clear();
         state.hull.fill(Interval::ENTIRE);
-        cut_hull(state, scratch)?;
+        cutting(state, scratch).cut_hull()?;
         trace(Phase::Prediction);
         shrink(state, options, scratch, trace)
     }
@@ -117,25 +115,7 @@ impl Method for DecomposedConstrained {
         scratch: &mut DCzScratch,
         trace: &mut dyn FnMut(Phase),
     ) -> Result<(), EstimatorError> {
-        scratch.culprits.clear();
-        scratch.culprits.resize(state.set.num_constraints(), Culprit::Prediction);
-        let states: Vec<usize> = (0..state.hull.len()).collect();
-        if let Some(Measured { values, parameters }) = measured {
-            state.set.product_assign_zonotope(system.measurement_noise());
-            let g = system.measurement().function();
-            state.set =
-                decomposition_solution(g, &state.set, values, parameters, &mut scratch.bounds)?.project(&states)?;
-            scratch.culprits.extend((0..values.len()).map(Culprit::Measurement));
-            cut_hull(state, scratch)?;
-            trace(Phase::Update);
-        }
-        if let Some(invariant) = system.invariant() {
-            let (h, values) = (invariant.relation().function(), invariant.range());
-            state.set = decomposition_solution(h, &state.set, values, &[], &mut scratch.bounds)?;
-            scratch.culprits.extend((0..values.len()).map(Culprit::Invariant));
-            cut_hull(state, scratch)?;
-            trace(Phase::Consistency);
-        }
+        cutting(state, scratch).correct(system, measured, trace)?;
         shrink(state, options, scratch, trace)
     }
 
@@ -149,18 +129,9 @@ impl Method for DecomposedConstrained {
     }
 }
 
-/// Cuts the hull with that of the set; a proof if nothing is left.
-fn cut_hull(state: &mut State, scratch: &mut DCzScratch) -> Result<(), EstimatorError> {
-    let DCzScratch { bounds, own, held, culprits } = scratch;
-    held.clone_from(&state.hull);
-    own.clear();
-    own.resize(state.hull.len(), Interval::EMPTY);
-    state.set.interval_hull_into(own, &mut bounds.sets)?;
-    state.hull.iter_mut().zip(own.iter()).for_each(|(side, found)| *side = side.intersection(*found));
-    if state.hull.iter().any(Interval::is_empty) {
-        return Err(of_hull(state.step, &state.set, (own, held), culprits, &mut bounds.sets));
-    }
-    Ok(())
+fn cutting<'a>(state: &'a mut State, scratch: &'a mut DCzScratch) -> Cutting<'a> {
+    let FilterState { set, hull, step, .. } = state;
+    Cutting { step: *step, set, hull, culprits: &mut scratch.culprits, bounds: &mut scratch.bounds }
 }
 
 /// Encloses a set with too many constraints or generators in a small one; the hull stays.

@@ -1,12 +1,13 @@
 //! [`DZb`]: zonotope bundles moved by remainder-form decomposition.
 
-use nonlin_bounds::{Workspace, decomposition_images_of_zonotope, decomposition_solution};
+use nonlin_bounds::{Workspace, decomposition_images_of_zonotope};
 use scalars::Interval;
-use setrep::{BundleComplexity, ConstrainedZonotope, HPolytope, Reduction, SetError, Zonotope, ZonotopeBundle};
+use setrep::{BundleComplexity, HPolytope, Reduction, SetError, Zonotope, ZonotopeBundle};
 
+use super::decomposed::Cutting;
 use crate::error::check_size;
 use crate::set_filter::of_hull;
-use crate::{Culprit, EstimatorError, FilterState, Measured, Method, Phase, SetFilter, System};
+use crate::{EstimatorError, FilterState, Measured, Method, Phase, SetFilter, System};
 
 /// Guaranteed state estimation with zonotope bundles by decomposition functions (D-ZB).
 ///
@@ -133,24 +134,9 @@ impl Method for DecomposedBundle {
         trace: &mut dyn FnMut(Phase),
     ) -> Result<(), EstimatorError> {
         let bounds = &mut scratch.bounds;
-        let mut set: ConstrainedZonotope = state.set.to_constrained_zonotope()?;
-        let mut culprits = vec![Culprit::Prediction; set.num_constraints()];
-        let states: Vec<usize> = (0..state.hull.len()).collect();
-        if let Some(Measured { values, parameters }) = measured {
-            set.product_assign_zonotope(system.measurement_noise());
-            let g = system.measurement().function();
-            set = decomposition_solution(g, &set, values, parameters, bounds)?.project(&states)?;
-            culprits.extend((0..values.len()).map(Culprit::Measurement));
-            cut_hull(&set, state, &culprits, bounds)?;
-            trace(Phase::Update);
-        }
-        if let Some(invariant) = system.invariant() {
-            let (h, values) = (invariant.relation().function(), invariant.range());
-            set = decomposition_solution(h, &set, values, &[], bounds)?;
-            culprits.extend((0..values.len()).map(Culprit::Invariant));
-            cut_hull(&set, state, &culprits, bounds)?;
-            trace(Phase::Consistency);
-        }
+        let (mut set, mut culprits) = (state.set.to_constrained_zonotope()?, Vec::new());
+        Cutting { step: state.step, set: &mut set, hull: &mut state.hull, culprits: &mut culprits, bounds }
+            .correct(system, measured, trace)?;
         let own = set.interval_hull(&mut bounds.sets)?;
         // A member for each half-space beyond those of the hull.
         let half_spaces = 2 * state.hull.len() + options.members.max(1) - 1;
@@ -175,21 +161,6 @@ impl Method for DecomposedBundle {
     ) -> Result<(), EstimatorError> {
         shrink(state, options, scratch, &mut |_| {})
     }
-}
-
-/// Cuts the hull of the state with that of a set.
-fn cut_hull(
-    set: &ConstrainedZonotope,
-    state: &mut State,
-    culprits: &[Culprit],
-    bounds: &mut Workspace,
-) -> Result<(), EstimatorError> {
-    let own = set.interval_hull(&mut bounds.sets)?;
-    if own.iter().zip(&state.hull).any(|(found, side)| found.disjoint(side)) {
-        return Err(of_hull(state.step, set, (&own, &state.hull), culprits, &mut bounds.sets));
-    }
-    state.hull.iter_mut().zip(own.iter()).for_each(|(side, found)| *side = side.intersection(*found));
-    Ok(())
 }
 
 /// Encloses a bundle with too many members in a small one; the hull stays.

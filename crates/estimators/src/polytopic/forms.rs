@@ -6,7 +6,7 @@ use setrep::{
 };
 
 /// Corners of a conversion that are one up to this share of the set's extents.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// A remainder beyond this share of the set's extent is not rounding.
 const MODEL_SIZE: f64 = 1e-6;
@@ -82,14 +82,14 @@ impl PolytopeForm for ConstrainedZonotope {
     }
 }
 
-/// The hull, and a parallelotope for every facet beyond it.
+/// The hull, and a parallelotope for every half-space beyond it: the facets if they are at most `5 n`, as many that cut off most if not.
 impl PolytopeForm for ZonotopeBundle {
     fn from_polytope(polytope: &VPolytope, workspace: &mut Workspace) -> Result<Self, SetError> {
         let hull = polytope.interval_hull();
         let mid: Vec<f64> = hull.iter().map(Interval::mid).collect();
         let radii: Vec<f64> = hull.iter().map(Interval::rad).collect();
         let mut bundle = Self::from(Zonotope::from_box(&mid, &radii)?);
-        bundle.intersect_h_polytope(&polytope.to_h_polytope()?, workspace)?;
+        bundle.intersect_h_polytope(&polytope.half_spaces(5 * polytope.dim(), workspace)?, workspace)?;
         Ok(bundle)
     }
 }

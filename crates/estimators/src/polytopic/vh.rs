@@ -16,7 +16,7 @@ use crate::set_filter::{Equation, inconsistent};
 use crate::{Culprit, EstimatorError, Evidence, FilterState, Measured, Method, Phase, SetFilter, System};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// Guaranteed state estimation with polytopes in vertex form (V-H).
 ///
@@ -26,7 +26,8 @@ const THIN: f64 = 1e-12;
 ///   the vertices. This simplex of weights is cut along its edges, so no facets are needed: what the paper does by a conversion in
 ///   the space of the outputs, a projection and one more conversion. The invariant joins every update.
 /// - **Vertex budget.** A set with more vertices than [`VhOptions::vertices`] is enclosed by [`VPolytope::enclosed_within`]: half-spaces
-///   among its own facets and principal directions, as many as can meet in so many points.
+///   among its own facets and principal directions, as many as can meet in so many points. A set with too many vertices for a step is
+///   enclosed in one with a quarter of the budget before; at worst a prediction is the box of [`range()`], and an update leaves the set.
 ///
 /// Rounding goes to the remainder of the set, and from there into its hull as soon as that has an interior
 /// ([`VPolytope::absorb_remainder`]). A noise that mixes its components is listed by its vertices if these are few; else its hull is taken.
@@ -155,11 +156,15 @@ impl Method for VertexPolytopes {
         trace: &mut dyn FnMut(Phase),
     ) -> Result<(), EstimatorError> {
         state.step += 1;
-        if let Err(error) = advance(system, options, input, state, scratch) {
-            let EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. })) = error else { return Err(error) };
+        let mut moved = advance(system, options, input, state, scratch);
+        if moved.as_ref().is_err_and(is_over_budget) {
             state.set = few_vertices(state, options, scratch)?;
-            advance(system, options, input, state, scratch)?;
+            moved = advance(system, options, input, state, scratch);
         }
+        if moved.as_ref().is_err_and(is_over_budget) {
+            moved = advance_hull(system, input, state, scratch);
+        }
+        moved?;
         trace(Phase::Prediction);
         settle(state, options, scratch, trace)
     }
@@ -202,6 +207,31 @@ impl Method for VertexPolytopes {
     }
 }
 
+/// Whether a set had too many vertices for a step.
+fn is_over_budget(error: &EstimatorError) -> bool {
+    matches!(
+        error,
+        EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. }))
+            | EstimatorError::Set(SetError::OverBudget { .. })
+    )
+}
+
+/// Moves the hull of a state on, as a box.
+fn advance_hull(
+    system: &System,
+    input: &[Interval],
+    state: &mut State,
+    scratch: &mut VhScratch,
+) -> Result<(), EstimatorError> {
+    let f = system.dynamics().function();
+    let noise = system.process_noise().interval_hull();
+    let domain: Vec<Interval> = state.hull.iter().chain(noise.iter()).copied().collect();
+    let mut sides = vec![Interval::ENTIRE; f.outputs()];
+    range(f, &domain, input, RangeMethod::Tight, &mut scratch.bounds, &mut sides)?;
+    state.set = VPolytope::from_intervals(&sides)?;
+    Ok(())
+}
+
 /// Moves the set of a state on.
 fn advance(
     system: &System,
@@ -235,20 +265,19 @@ fn few_vertices(state: &State, options: &VhOptions, scratch: &mut VhScratch) -> 
     Ok(state.set.enclosed_within(few, &mut scratch.bounds.sets)?)
 }
 
-/// Cuts a state, which is enclosed in a smaller one before where its vertices are too many to be cut.
+/// Cuts a state; where its vertices are too many for that it is enclosed in a smaller one first, and stays at worst as it is.
 fn cut(
     equation: &Equation<'_>,
     options: &VhOptions,
     state: &mut State,
     scratch: &mut VhScratch,
 ) -> Result<(), EstimatorError> {
-    match try_cut(equation, options, state, scratch) {
-        Err(EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. }))) => {
-            state.set = few_vertices(state, options, scratch)?;
-            try_cut(equation, options, state, scratch)
-        }
-        result => result,
+    let mut result = try_cut(equation, options, state, scratch);
+    if result.as_ref().is_err_and(is_over_budget) {
+        state.set = few_vertices(state, options, scratch)?;
+        result = try_cut(equation, options, state, scratch);
     }
+    if result.as_ref().is_err_and(is_over_budget) { Ok(()) } else { result }
 }
 
 fn try_cut(

@@ -1,7 +1,6 @@
 //! The state never leaves a set, and sets are as small as measured elsewhere.
 
 use estimators::{Estimator, Guarantee, VhOptions};
-use scalars::Interval;
 use setrep::Workspace;
 
 use crate::plants::{Draw, Example, planar, unicycle};
@@ -17,11 +16,11 @@ fn follow(example: &Example, draw: Draw, steps: usize, random: &mut Random) {
             if k > 0 {
                 filter.advance(&[]).unwrap_or_else(|error| panic!("{name}, {draw:?}, step {k}: {error}"));
             }
-            filter.correct(Some(y)).unwrap_or_else(|error| panic!("{name}, {draw:?}, step {k}: {error}"));
-            // The simulated state is off the exact trajectory by rounding.
-            let point: Vec<Interval> = x.iter().map(|&x| Interval::point(x).inflate(1e-12)).collect();
+            filter
+                .correct(Some(&y.iter().map(|&y| Some(y)).collect::<Vec<_>>()))
+                .unwrap_or_else(|error| panic!("{name}, {draw:?}, step {k}: {error}"));
             let set = filter.half_spaces(200, &mut workspace).unwrap();
-            let verdict = set.membership(&point).unwrap();
+            let verdict = set.membership(x).unwrap();
             assert_ne!(verdict, setrep::Membership::ProvenOutside, "{name}, {draw:?}, step {k}: {x:?}");
         }
     }
@@ -58,8 +57,7 @@ fn many_seeds_of_example_1() {
                 filter.predict(&[]).unwrap();
             }
             filter.update(y).unwrap();
-            let point: Vec<Interval> = x.iter().map(|&x| Interval::point(x).inflate(1e-12)).collect();
-            let verdict = filter.enclosure().membership(&point).unwrap();
+            let verdict = filter.enclosure().membership(x).unwrap();
             assert_ne!(verdict, setrep::Membership::ProvenOutside, "seed {seed}, step {k}: {x:?}");
             // Noise at its vertices can leave sets that are no thicker than rounding.
             assert!(draw == Draw::Vertex || filter.enclosure().remainder() == [0.0, 0.0], "seed {seed}, step {k}");
@@ -95,6 +93,8 @@ fn mean_areas_of_example_1_are_those_of_an_independent_computation() {
     }
     let tight = areas(3.0, VhOptions::tight(), 50);
     println!("{tight:.4?}");
+    // Up to `k = 1` the sets of one filter lie in those of the other. Later it may expand about another point, and an image of a smaller set about
+    // another point need not be smaller: then the order is one of means.
     assert!(tight.iter().zip(&found).all(|(tight, plain)| *tight <= plain * (1.0 + 1e-9)));
 }
 

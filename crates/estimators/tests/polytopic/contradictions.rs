@@ -11,7 +11,7 @@ fn contradictory_measurements_are_refuted_by_every_filter() {
     for example in [planar(3.0), unicycle(1.0, 1.0)] {
         for (name, mut filter) in example.filters() {
             let before = filter.half_spaces(200, &mut workspace).unwrap();
-            let y = vec![40.0; example.output.len()];
+            let y = vec![Some(40.0); example.output.len()];
             let error = filter.correct(Some(&y)).unwrap_err();
             assert!(is_proof(&error), "{name}: {error:?}");
             assert_eq!(filter.half_spaces(200, &mut workspace).unwrap(), before, "{name}");

@@ -2,7 +2,7 @@
 
 use estimators::{CombMember, DCz, DCzOptions, DZb, DZbOptions, EstimatorError, Relation, System, Vh, VhOptions};
 use nonlin_bounds::Function;
-use scalars::Scalar;
+use scalars::{Interval, Scalar};
 use setrep::{ConstrainedZonotope, Matrix, VPolytope, Zonotope};
 
 use crate::support::Random;
@@ -76,8 +76,8 @@ pub(crate) struct Example {
     pub(crate) state: Vec<f64>,
     pub(crate) process: Vec<f64>,
     pub(crate) output: Vec<f64>,
-    dynamics: fn(&[f64], &mut [f64]),
-    measurement: fn(&[f64], &mut [f64]),
+    dynamics: fn(&[Interval], &mut [Interval]),
+    measurement: fn(&[Interval], &mut [Interval]),
 }
 
 fn around_zero(radii: &[f64]) -> Zonotope {
@@ -134,28 +134,36 @@ pub(crate) enum Draw {
 }
 
 impl Draw {
-    /// A vector whose entries are at most their bounds, also after an addition has rounded.
-    fn noise(self, bounds: &[f64], random: &mut Random) -> Vec<f64> {
-        let draw = |bound: &f64| {
-            let inner = (bound - 1e-13).max(0.0);
-            inner * if self == Self::Uniform { random.unit() } else { random.sign() }
+    /// Floats near `values + noise`, and a proof that they differ from the values by no more than the bounds.
+    fn noisy(self, values: &[Interval], bounds: &[f64], random: &mut Random) -> Vec<f64> {
+        let draw = |(value, &bound): (&Interval, &f64)| {
+            let noise = (bound - 1e-13) * if self == Self::Uniform { random.unit() } else { random.sign() };
+            let drawn = value.mid() + noise;
+            assert!((Interval::point(drawn) - *value).mag() <= bound);
+            drawn
         };
-        bounds.iter().map(draw).collect()
+        values.iter().zip(bounds).map(draw).collect()
     }
 }
 
 impl Example {
-    /// States and measurements, `k = 0 ..= steps`.
-    pub(crate) fn run(&self, draw: Draw, steps: usize, random: &mut Random) -> Vec<(Vec<f64>, Vec<f64>)> {
-        let mut x = self.state.clone();
+    /// Enclosures of the states of one exact trajectory, and measurements, `k = 0 ..= steps`. With process noise the states are floats: the noise
+    /// that leads from one to the next is proven to keep its bounds.
+    pub(crate) fn run(&self, draw: Draw, steps: usize, random: &mut Random) -> Vec<(Vec<Interval>, Vec<f64>)> {
+        let without_noise = |f: fn(&[Interval], &mut [Interval]), x: &[Interval], outputs: usize| {
+            let mut y = vec![Interval::ZERO; outputs];
+            f(&[x, &vec![Interval::ZERO; outputs]].concat(), &mut y);
+            y
+        };
+        let mut x: Vec<Interval> = self.state.iter().map(|&x| Interval::point(x)).collect();
         let mut run = Vec::new();
         for _ in 0..=steps {
-            let mut y = vec![0.0; self.output.len()];
-            (self.measurement)(&[&x[..], &draw.noise(&self.output, random)].concat(), &mut y);
-            run.push((x.clone(), y));
-            let mut next = vec![0.0; x.len()];
-            (self.dynamics)(&[&x[..], &draw.noise(&self.process, random)].concat(), &mut next);
-            x = next;
+            let y = draw.noisy(&without_noise(self.measurement, &x, self.output.len()), &self.output, random);
+            let mut next = without_noise(self.dynamics, &x, x.len());
+            if self.process.iter().any(|&bound| bound > 0.0) {
+                next = draw.noisy(&next, &self.process, random).into_iter().map(Interval::point).collect();
+            }
+            run.push((core::mem::replace(&mut x, next), y));
         }
         run
     }

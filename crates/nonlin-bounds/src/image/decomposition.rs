@@ -91,7 +91,7 @@ fn decompose(
     count: usize,
     workspace: &mut Workspace,
 ) -> Result<(Decomposition, Vec<Interval>), BoundError> {
-    let mut decomposition = Decomposition::with_others(f, set, p, count, workspace)?;
+    let mut decomposition = Decomposition::of(f, set, p, (count, &|_| true), workspace)?;
     let mut sides = vec![Interval::ENTIRE; f.outputs()];
     match range(f, &decomposition.hull, p, RangeMethod::Tight, workspace, &mut sides) {
         // The rows stand without it.

@@ -9,7 +9,7 @@ use crate::{BoundError, DynFunction, Expansion, Workspace};
 
 /// A side below this share of the image's extent is rounding, or as good as: it goes to the remainder and doubles no corner. Corners that
 /// are no vertices up to this share are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// A side below this share of its own magnitude is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -58,7 +58,7 @@ pub fn polytopic_image_with_noise(
     p: &[Interval],
     workspace: &mut Workspace,
 ) -> Result<VPolytope, BoundError> {
-    let expanded = Expanded::over_product(f, set, noise, at, p, &mut workspace.jet)?;
+    let expanded = Expanded::over_product(f, (set, noise), |_| true, at, p, &mut workspace.jet)?;
     let (n, m) = (set.dim(), expanded.outputs());
     // A function without outputs has an image without coordinates, which no polytope is.
     if m == 0 {
@@ -66,7 +66,7 @@ pub fn polytopic_image_with_noise(
     }
     let moves = |k: usize| (0..m).filter(|&i| expanded.share(i, n + k, noise[k]) != Interval::ZERO).count();
     let (mixing, single): (Vec<usize>, Vec<usize>) = (0..noise.len()).partition(|&k| moves(k) > 1);
-    let choices = 1_usize.checked_shl(mixing.len() as u32).unwrap_or(usize::MAX);
+    let choices = u32::try_from(mixing.len()).ok().and_then(|k| 1_usize.checked_shl(k)).unwrap_or(usize::MAX);
     if choices.saturating_mul(set.num_vertices()) > MAX_FACES {
         return Err(SetError::OverBudget { count: choices, limit: MAX_FACES }.into());
     }

@@ -9,7 +9,7 @@ use crate::{BoundError, DynFunction, Operand, Workspace};
 /// Solution set `{ x in X : g(x, p) in [y] }` of a constrained zonotope, `[y]` a box whose sides may be unbounded.
 ///
 /// The rows `h_i xi` of the decomposition of `g` over the generators of `X` (see [`decomposition_image`](crate::decomposition_image)) lie in
-/// `[y_i] - [g_i]` wherever `g_i(x)` lies in `[y_i]`: one constraint an output, no generators. Measurement noises that are additive widen `[y]`, others
+/// `[y_i] - [g_i]` wherever `g_i(x)` lies in `[y_i]`: one constraint an output, no generators. Outputs without bounds need not be smooth. Measurement noises that are additive widen `[y]`, others
 /// are stacked with the states, and the result is projected.
 ///
 /// **Guarantee:** superset of the solution set, rounding included.
@@ -29,7 +29,8 @@ pub fn decomposition_solution(
     if let Some(index) = y.iter().position(Interval::is_empty) {
         return Err(BoundError::EmptyInterval { operand: Operand::Outputs, index });
     }
-    let Decomposition { set, rows, residuals, .. } = Decomposition::of(g, set, p, workspace)?;
+    let is_asked_for = |output: usize| y[output] != Interval::ENTIRE;
+    let Decomposition { set, rows, residuals, .. } = Decomposition::of(g, set, p, (1, &is_asked_for), workspace)?;
     let (old, new) = (set.num_constraints(), y.len());
     let mut constraints = Matrix::zeros(old + new, set.num_generators());
     for j in 0..set.num_generators() {

@@ -8,7 +8,7 @@ use crate::expanded::Expanded;
 use crate::{BoundError, DynFunction, Expansion, Operand, Workspace};
 
 /// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
-const THIN: f64 = 1e-12;
+const THIN: f64 = 1e-10;
 
 /// Solution set `{ x in X : g(x, p) in Y }` in a polytope `X = conv V + [-r, r]`, `Y = { y : A y <= b }`.
 ///
@@ -93,7 +93,8 @@ pub enum PolytopicCut {
 /// they are the points' own, or each row has its own.
 ///
 /// # Errors
-/// As [`polytopic_solution`], but an empty set is a valid answer; [`BoundError::EmptyInterval`] for a side of `[y]`.
+/// As [`polytopic_solution`], but an empty set is a valid answer; outputs with an unbounded side on both ends need not be smooth;
+/// [`BoundError::EmptyInterval`] for a side of `[y]`.
 pub fn polytopic_strips(
     g: &dyn DynFunction,
     (set, noise): (&VPolytope, &[Interval]),
@@ -107,9 +108,10 @@ pub fn polytopic_strips(
         return Err(BoundError::EmptyInterval { operand: Operand::Outputs, index });
     }
     let n = set.dim();
-    let rows = Expanded::over_product(g, set, noise, at, p, &mut workspace.jet)?;
+    let is_asked_for = |output: usize| y[output] != Interval::ENTIRE;
+    let rows = Expanded::over_product(g, (set, noise), is_asked_for, at, p, &mut workspace.jet)?;
     let mut solution = set.clone();
-    for (output, required) in y.iter().enumerate().filter(|(_, required)| **required != Interval::ENTIRE) {
+    for (output, required) in y.iter().enumerate().filter(|(output, _)| is_asked_for(*output)) {
         let noises = noise.iter().enumerate().fold(Interval::ZERO, |sum, (k, &v)| sum + rows.share(output, n + k, v));
         for from_above in [true, false] {
             let bound = if from_above { required.hi() } else { -required.lo() };

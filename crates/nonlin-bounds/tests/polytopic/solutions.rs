@@ -1,6 +1,9 @@
 //! Containment of exact solutions.
 
-use nonlin_bounds::{Expansion, Workspace, polytopic_solution, polytopic_solution_lift};
+use nonlin_bounds::{
+    Expansion, PolytopicCut, Workspace, polytopic_image_with_noise, polytopic_solution, polytopic_solution_lift,
+    polytopic_strips,
+};
 use scalars::Interval;
 use setrep::{HPolytope, IntervalVector, Matrix, Membership};
 
@@ -80,4 +83,45 @@ fn solutions_are_subsets() {
             assert!(lift.support(&direction, &mut workspace.sets).unwrap() <= limit, "seed {}, case {case}", SEED + 1);
         }
     }
+}
+
+/// A member of a box of noises, in eighths of its radius.
+fn noise_member(random: &mut Random, noise: &[Interval]) -> Vec<f64> {
+    noise.iter().map(|side| side.rad() * (random.below(17) as f64 - 8.0) / 8.0).collect()
+}
+
+/// With noises that are variables of their own, some of which move several outputs: images and strips keep what is exactly reached.
+#[test]
+fn noises_in_a_box_are_kept() {
+    let (mut workspace, mut kept, mut reached) = (Workspace::new(), 0, 0);
+    for case in 0..cases(400) {
+        let random = &mut Random::new(SEED + 2, case);
+        let (n, q, m) = (1 + random.below(3), random.below(3), 1 + random.below(2));
+        let (g, set) = (Polynomials::random(random, n + q, m), polytope(random, n));
+        let noise: Vec<Interval> = (0..q).map(|_| Interval::ZERO.inflate(random.below(3) as f64 * 0.25)).collect();
+        let point = |random: &mut Random| [member(random, &set), noise_member(random, &noise)].concat();
+        let center = [set.interval_hull().mid(), vec![0.0; q]].concat();
+        let at = if random.below(2) == 0 { Expansion::SetCenter } else { Expansion::Point(&center) };
+        let image = polytopic_image_with_noise(&g, &set, &noise, at, &[], &mut workspace).unwrap();
+        let image = image.to_h_polytope().unwrap();
+        let value = g.exact(&point(random));
+        let y: Vec<Interval> =
+            value.iter().map(|&y| Interval::point(y).inflate(random.below(9) as f64 * 0.5)).collect();
+        let cut = polytopic_strips(&g, (&set, &noise), &y, at, &[], &mut workspace).unwrap();
+        let PolytopicCut::Left(left) = cut else { panic!("seed {}, case {case}: a solution is lost", SEED + 2) };
+        let left = left.to_h_polytope().unwrap();
+        for _ in 0..40 {
+            let z = point(random);
+            let value = g.exact(&z);
+            let verdict = image.membership(&IntervalVector::point(&value)).unwrap();
+            assert_ne!(verdict, Membership::ProvenOutside, "image, seed {}, case {case}: {z:?}", SEED + 2);
+            reached += 1;
+            if value.iter().zip(&y).all(|(&value, side)| side.contains(value)) {
+                let verdict = left.membership(&IntervalVector::point(&z[..n])).unwrap();
+                assert_ne!(verdict, Membership::ProvenOutside, "strips, seed {}, case {case}: {z:?}", SEED + 2);
+                kept += 1;
+            }
+        }
+    }
+    assert!(kept >= cases(4000) && reached > kept, "only {kept} solutions were met");
 }

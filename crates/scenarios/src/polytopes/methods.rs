@@ -13,7 +13,7 @@ use crate::{Mode, ScenarioError};
 
 /// The filters of paper 004, in the order of its tables.
 pub const PAPER: [&str; 5] = ["rrsr", "vh", "d-zb", "d-cz", "comb"];
-/// What a user would take: V-H with three passes and tight ranges, the ranged constrained zonotopes, and both with all others.
+/// What a user would take: V-H with three passes and tight ranges, and the ranged constrained zonotopes.
 pub const DEFAULTS: [&str; 2] = ["vh/tight", "rcz"];
 
 /// Corners of the first set that are one up to this share of its extents.
@@ -77,7 +77,7 @@ impl PolytopeCase {
         Ok(DZb::new(self.system.clone(), self.start.clone().into(), DZbOptions::new(self.system.states()))?)
     }
 
-    /// The four filters of the paper at once.
+    /// The polytopic filters of the paper at once: V-H, D-ZB and D-CZ.
     fn comb(&self) -> Result<Comb, ScenarioError> {
         let members: Vec<Box<dyn CombMember>> =
             vec![Box::new(self.vh(VhOptions::paper())?), Box::new(self.d_zb()?), Box::new(self.d_cz()?)];

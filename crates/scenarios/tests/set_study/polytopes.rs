@@ -5,6 +5,7 @@ use scenarios::polytope_planar::{self, PAPER_RUNS, TABLE_II, plant::Form};
 use scenarios::polytopes::sizes::study_sizes;
 use scenarios::polytopes::tables::{is_nowhere_larger, standard_errors};
 use scenarios::set_study::{Cell, End};
+use scenarios::unicycle::{self, Setting};
 use scenarios::{Context, ScenarioError};
 
 /// Every step of every run of a cell is complete, without a lost state.
@@ -59,6 +60,42 @@ fn noise_at_its_vertices_is_contained() -> Result<(), ScenarioError> {
         let contenders = polytope_planar::contenders(form, 3.0)?;
         let simulate = |rng: &mut _| polytope_planar::plant::simulate(NoiseKind::Vertices, polytope_planar::STEPS, rng);
         study_sizes(&Context::new(2), "vertices", 4, simulate, contenders)?.iter().for_each(check);
+    }
+    Ok(())
+}
+
+/// Example II: sizes of the magnitude of Table III, a dozen vertices with process noise, and nothing lost. Noises at their vertices leave less.
+#[test]
+fn example_2_has_the_magnitude_of_table_3() -> Result<(), ScenarioError> {
+    for setting in [Setting::NOISY, Setting::WIDE, Setting::VERTICES] {
+        let mut contenders = unicycle::contenders(setting)?;
+        contenders.retain(|contender| contender.method != "comb");
+        let least = if setting == Setting::VERTICES { 0.0 } else { 1e-6 };
+        let simulate = |rng: &mut _| unicycle::plant::simulate(setting.is_noisy, setting.kind, unicycle::STEPS, rng);
+        for cell in study_sizes(&Context::new(1), "unicycle test", 4, simulate, contenders)? {
+            check(&cell);
+            println!("{} {}: {:?}", setting.label(), cell.method, cell.curve(0));
+            assert!(cell.curve(0).iter().all(|volume| (least..1e-4).contains(volume)), "{}", cell.method);
+            if cell.method == "vh" {
+                assert!(cell.curve(1).iter().all(|vertices| (4.0..40.0).contains(vertices)));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Without process noise vertices multiply; the budget holds.
+#[test]
+fn example_2_without_noise_is_bounded() -> Result<(), ScenarioError> {
+    let setting = Setting::QUIET;
+    let mut contenders = unicycle::contenders(setting)?;
+    contenders.retain(|contender| contender.method.starts_with("vh"));
+    let simulate = |rng: &mut _| unicycle::plant::simulate(false, setting.kind, unicycle::STEPS, rng);
+    for cell in study_sizes(&Context::new(1), "unicycle test, quiet", 2, simulate, contenders)? {
+        check(&cell);
+        println!("{}: {:?}, vertices {:.1?}", cell.method, cell.curve(0), cell.curve(1));
+        assert!(cell.curve(1).iter().all(|vertices| *vertices <= 64.0));
+        assert!(cell.curve(0)[4] <= 0.2 * cell.curve(0)[0]);
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use super::enclosing::template;
 use super::{HPolytope, VPolytope};
-use crate::{SetError, Workspace};
+use crate::{Mesh, SetError, Workspace};
 
 /// Facets of the set that are tried as directions.
 const MAX_FACETS: usize = 400;
@@ -45,7 +45,12 @@ impl VPolytope {
         while facets < MAX_FACETS && most_vertices(n, facets + 1) <= max_vertices {
             facets += 1;
         }
-        let outer = match self.to_h_polytope_within(MAX_FACETS) {
+        // In space a surface on a grid has the facets without the slivers of nearly degenerate points.
+        let own = match n {
+            3 => Mesh::new(self, [0, 1, 2], workspace).map(|mesh| mesh.outer),
+            _ => self.to_h_polytope_within(MAX_FACETS),
+        };
+        let outer = match own {
             Ok(own) => {
                 let mut directions = own.normals().transpose();
                 directions.append_columns(template(self, workspace)?.as_slice());
@@ -53,12 +58,12 @@ impl VPolytope {
             }
             Err(_) => HPolytope::enclosing(self, facets, workspace)?,
         };
-        let vertices = outer.to_v_polytope()?.thinned(SHARE);
-        if vertices.num_vertices() <= max_vertices {
-            return Ok(vertices);
+        match outer.to_v_polytope().map(|vertices| vertices.thinned(SHARE)) {
+            Ok(vertices) if vertices.num_vertices() <= max_vertices => Ok(vertices),
+            // Flat sets have more half-spaces than facets: the box is left.
+            Ok(_) | Err(SetError::OverBudget { .. }) => Self::from_intervals(&self.interval_hull()),
+            Err(error) => Err(error),
         }
-        // Flat sets have more half-spaces than facets: the box is left.
-        Self::from_intervals(&self.interval_hull())
     }
 }
 
