@@ -81,12 +81,13 @@ impl<const N: usize> Function for Fixed<N> {
     }
 }
 
-fn jets<F: Function>(f: &F) -> [Result<(Vec<Interval>, Vec<Interval>), BoundError>; 2] {
+/// The derivatives of each order, first and second ones in a row.
+fn jets<F: Function>(f: &F) -> [Result<Vec<Interval>, BoundError>; 2] {
     let x: Vec<Interval> = (0..f.variables()).map(|i| Interval::new(-1.0, i as f64).unwrap()).collect();
     [Order::Jacobian, Order::Hessian].map(|order| {
         let mut jet = Jet::new();
         f.enclose(order, &x, &[], &mut jet)?;
-        Ok((jet.jacobian().to_vec(), jet.hessians().to_vec()))
+        Ok([jet.jacobian(), jet.hessians()].concat())
     })
 }
 
