@@ -98,7 +98,7 @@ impl Relation {
             return true;
         }
         let thorough = ForwardBackward { sweeps: 100, least_gain: 0.0 };
-        let mut contract = |tape| thorough.contract(tape, sides, parameters, required, &mut Workspace::new());
+        let mut contract = |tape| thorough.contract_stated(tape, sides, parameters, required, &mut Workspace::new());
         self.tape().is_some_and(|tape| contract(tape).is_ok_and(|outcome| outcome.is_empty()))
     }
 

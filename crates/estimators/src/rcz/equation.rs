@@ -22,7 +22,7 @@ impl Equation<'_> {
         stacked.fill(hull, self.noise)?;
         let sides = &mut stacked.sides;
         if let Contraction::ProvenEmpty(conflict) =
-            contractor.contract(tape, sides, self.parameters, self.values, bounds)?
+            contractor.contract_stated(tape, sides, self.parameters, self.values, bounds)?
         {
             return Ok(Some(conflict));
         }

@@ -1,9 +1,9 @@
 //! `Rcz`: containment with uniform and vertex noise, radii against the best that is possible, proofs of faults.
 
 use estimators::{Culprit, Estimator, EstimatorError, Guarantee, Rcz, RczOptions, Relation, System, Tier};
-use nonlin_bounds::Function;
+use nonlin_bounds::{Function, function};
 use scalars::{Interval, Scalar};
-use setrep::{ConstrainedZonotope, Membership};
+use setrep::{ConstrainedZonotope, Membership, Zonotope};
 
 use crate::plants::{
     Draw, PlanarStep, attitude, attitude_run, attitude_start, cube, exactly, holds, planar, planar_run, planar_start,
@@ -201,5 +201,26 @@ fn a_step_in_steady_state_allocates_nothing() {
         }
         let info = allocation_counter::measure(|| (0..60).for_each(|k| step(&mut filter, k)));
         assert_eq!(info.count_total, 0, "{:?}", options.tier);
+    }
+}
+
+/// A sensor that sees nothing need not be defined where the state is.
+#[test]
+fn a_missing_measurement_may_be_undefined() {
+    let still = function!(|[x, w]: 2| -> 1 { [x + w] });
+    let sees = function!(|[x, e, d]: 3| -> 2 { [x + e, x.sqrt() + d] });
+    let (wind, error) = (Zonotope::from_box(&[0.0], &[0.01]), Zonotope::from_box(&[0.0; 2], &[0.1; 2]));
+    let system = System::new(Relation::new(still), wind.unwrap(), Relation::new(sees), error.unwrap()).unwrap();
+    for options in [RczOptions::fast(1), RczOptions::cheap(1), RczOptions::slow(1)] {
+        let start = ConstrainedZonotope::from_box(&[-1.5], &[0.5]).unwrap();
+        let mut filter = Rcz::new(system.clone(), start, options).unwrap();
+        filter.update_some(&[Some(-1.5), None], &[]).unwrap();
+        assert!(filter.hull()[0].subset_of(&Interval::new(-1.6 - 1e-12, -1.4 + 1e-12).unwrap()), "{:?}", filter.hull());
+        filter.update_some(&[None, None], &[]).unwrap();
+        let before = filter.state().clone();
+        let error = filter.update_some(&[None, Some(1.0)], &[]).unwrap_err();
+        let EstimatorError::Inconsistent(contradiction) = error else { panic!("{error}") };
+        assert!(contradiction.verify_with(&system), "{contradiction:?}");
+        assert_eq!(filter.state(), &before);
     }
 }

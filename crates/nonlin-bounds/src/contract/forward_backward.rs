@@ -73,11 +73,40 @@ impl ForwardBackward {
         y: &[Interval],
         workspace: &mut Workspace,
     ) -> Result<Contraction, BoundError> {
+        self.run(tape, x, p, y, false, workspace)
+    }
+
+    /// Shrinks the box `x` around the points at which the outputs with a bounded side in `y` are defined and take values there; the others, whose
+    /// range is the whole line, may be defined nowhere. So are measurements that are missing.
+    ///
+    /// # Errors
+    /// As [`contract`](Self::contract).
+    pub fn contract_stated(
+        &self,
+        tape: &Tape,
+        x: &mut [Interval],
+        p: &[Interval],
+        y: &[Interval],
+        workspace: &mut Workspace,
+    ) -> Result<Contraction, BoundError> {
+        self.run(tape, x, p, y, true, workspace)
+    }
+
+    fn run(
+        &self,
+        tape: &Tape,
+        x: &mut [Interval],
+        p: &[Interval],
+        y: &[Interval],
+        only_stated: bool,
+        workspace: &mut Workspace,
+    ) -> Result<Contraction, BoundError> {
         check_box(Operand::Variables, tape.variables(), x)?;
         check_box(Operand::Parameters, tape.parameters(), p)?;
         check_box(Operand::Outputs, tape.outputs(), y)?;
         let slots = &mut workspace.contract.slots;
         slots.start(tape, x, p);
+        slots.find_needed(tape, y, only_stated);
         let mut sweeps = 0;
         while sweeps < self.sweeps {
             sweeps += 1;
@@ -113,6 +142,8 @@ struct Mark {
 pub(super) struct Slots {
     values: Vec<Interval>,
     marks: Vec<Mark>,
+    /// Whether a slot is an operand of an output that is asked for.
+    needed: Vec<bool>,
     /// The variables before the sweep.
     before: Vec<Interval>,
     /// Number of the pass, from 1.
@@ -131,6 +162,23 @@ impl Slots {
         self.before.clear();
         self.before.extend_from_slice(x);
         self.pass = 0;
+    }
+
+    /// Marks what the outputs that are asked for are made of: all, or those that state something.
+    fn find_needed(&mut self, tape: &Tape, y: &[Interval], only_stated: bool) {
+        let asked = |required: &Interval| !only_stated || *required != Interval::ENTIRE;
+        self.needed.clear();
+        self.needed.resize(tape.slots(), y.iter().all(asked));
+        for (&slot, _) in tape.output_slots().iter().zip(y).filter(|(_, required)| asked(required)) {
+            self.needed[slot as usize] = true;
+        }
+        for (k, node) in tape.nodes().iter().enumerate().rev() {
+            if self.needed[tape.first_node() + k] {
+                let (a, b) = node.operands();
+                self.needed[a as usize] = true;
+                self.needed[b.unwrap_or(a) as usize] = true;
+            }
+        }
     }
 
     /// The largest gain of the first `n` slots since the last call.
@@ -152,6 +200,9 @@ impl Slots {
         }
         self.pass += 1;
         for (output, (&slot, &required)) in tape.output_slots().iter().zip(y).enumerate() {
+            if !self.needed[slot as usize] {
+                continue;
+            }
             self.narrow(slot, self.values[slot as usize].intersection(required), output as u32)?;
         }
         self.backward(tape)
@@ -168,6 +219,11 @@ impl Slots {
                 self.values.push(sin);
                 self.values.push(cos);
                 k += 2;
+                continue;
+            }
+            if !self.needed[first + k] {
+                self.values.push(Interval::ENTIRE);
+                k += 1;
                 continue;
             }
             let (node, needed_by) = (nodes[k], tape.needed_by()[k]);
@@ -187,7 +243,7 @@ impl Slots {
     /// Images of the operations whose operands have changed since the last forward pass.
     fn forward(&mut self, tape: &Tape) -> Result<(), Emptied> {
         let first = tape.first_node();
-        for (k, &node) in tape.nodes().iter().enumerate() {
+        for (k, &node) in tape.nodes().iter().enumerate().filter(|(k, _)| self.needed[first + k]) {
             let (a, b) = node.operands();
             let changed = |slot: u32| self.marks[slot as usize].changed + 1 >= self.pass;
             let operand = match b {

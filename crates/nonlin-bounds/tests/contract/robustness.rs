@@ -89,6 +89,30 @@ fn solutions_are_points_where_all_outputs_are_defined() {
     assert_eq!(propagate(&mut x, &[ALL; 4]).unwrap(), Contraction::ProvenEmpty(conflict));
 }
 
+/// What states nothing may be defined nowhere; what it shares with stated outputs still counts.
+#[test]
+fn outputs_without_a_statement_are_not_asked_for() {
+    let stated = |x: &mut [Interval], y: &[Interval]| {
+        ForwardBackward::default().contract_stated(&Tape::record(&Mixed), x, &[], y, &mut Workspace::new()).unwrap()
+    };
+    let start = [interval(-2.0, -1.0), Interval::ZERO];
+    let mut x = start;
+    assert!(!stated(&mut x, &[ALL; 4]).is_empty());
+    assert_eq!(x, start);
+    let mut y = [ALL; 4];
+    for output in [1, 2] {
+        y = [ALL; 4];
+        y[output] = interval(-1e300, 1e300);
+        assert_eq!(stated(&mut x, &y), Contraction::ProvenEmpty(Conflict::Output { output, sweep: 1 }));
+        assert_eq!(x, start);
+    }
+    // All stated: nothing changes.
+    y.fill(interval(0.25, 1.0));
+    let (mut one, mut other) = ([ALL; 2], [ALL; 2]);
+    assert_eq!(stated(&mut one, &y), propagate(&mut other, &y).unwrap());
+    assert_eq!(one, other);
+}
+
 #[test]
 fn one_sided_ranges_bound_unbounded_boxes() {
     let mut x = [ALL, ALL];
