@@ -2,7 +2,7 @@
 
 use scalars::Interval;
 use scalars::rounding::{add_up, sub_down};
-use setrep::{HPolytope, VPolytope};
+use setrep::{HPolytope, SetError, VPolytope};
 
 use crate::expanded::Expanded;
 use crate::{BoundError, DynFunction, Expansion, Operand, Workspace};
@@ -27,7 +27,7 @@ const THIN: f64 = 1e-10;
 ///
 /// # Errors
 /// [`BoundError::Dimension`], [`BoundError::NonFinite`]; [`BoundError::NotSmooth`] unless every output is proven `C1` on the hull;
-/// [`BoundError::UnboundedResult`]; [`SetError::EmptySet`](setrep::SetError::EmptySet), proven; [`SetError::OverBudget`](setrep::SetError::OverBudget).
+/// [`BoundError::UnboundedResult`]; [`SetError::EmptySet`], proven; [`SetError::OverBudget`].
 pub fn polytopic_solution(
     g: &dyn DynFunction,
     set: &VPolytope,
@@ -65,6 +65,9 @@ pub(super) fn rows_over(
 /// Most columns after a cut for which a row keeps a value of its own at every vertex.
 const MOST_COLUMNS: usize = 24;
 
+/// Most columns in between, unless the set has more than half as many to begin with: sets nearly without interior can multiply.
+const MOST_BETWEEN: usize = 128;
+
 /// What [`polytopic_strips`] has left of a polytope.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
@@ -94,7 +97,7 @@ pub enum PolytopicCut {
 ///
 /// # Errors
 /// As [`polytopic_solution`], but an empty set is a valid answer; outputs with an unbounded side on both ends need not be smooth;
-/// [`BoundError::EmptyInterval`] for a side of `[y]`.
+/// [`BoundError::EmptyInterval`] for a side of `[y]`; [`SetError::OverBudget`] where the cuts leave more than 128 columns and twice those of the set.
 pub fn polytopic_strips(
     g: &dyn DynFunction,
     (set, noise): (&VPolytope, &[Interval]),
@@ -136,6 +139,10 @@ pub fn polytopic_strips(
                 flatten(&mut values, &linear.collect::<Vec<_>>());
             }
             solution = solution.cut_by_values(&values, bound, THIN)?;
+            let (count, limit) = (solution.num_vertices(), MOST_BETWEEN.max(2 * set.num_vertices()));
+            if count > limit {
+                return Err(SetError::OverBudget { count, limit }.into());
+            }
         }
     }
     Ok(PolytopicCut::Left(solution))
