@@ -11,7 +11,7 @@ use crate::{Culprit, EstimatorError, FilterState, Measured, Method, Phase, SetFi
 ///
 /// - **Prediction.** States and noises side by side; each output lies in a row over the generators and a residual between two corners
 ///   of the box of generators ([`decomposition_image`]), cut by the tight range of the dynamics.
-/// - **Update.** The rows of the measurement, noises as generators, become constraints ([`decomposition_solution`]). The invariant joins every
+/// - **Update.** The rows of the measurement, noises as generators, become constraints ([`decomposition_solution`](nonlin_bounds::decomposition_solution)). The invariant joins every
 ///   update.
 /// - **Reduction.** [LP re-encoding](ConstrainedZonotope::reencode) to `n` generators and at most [`DCzOptions::constraints`] constraints, once a
 ///   prediction or an update has left more, along the directions of the constraints and the diagonals of the coordinates.

@@ -13,7 +13,7 @@ use crate::{EstimatorError, FilterState, Measured, Method, Phase, SetFilter, Sys
 ///
 /// - **Prediction.** Every member, noises beside the states, is moved by itself in [`DZbOptions::choices`] ways, one a choice of rows
 ///   ([`decomposition_images_of_zonotope`]): the result is the bundle of all these images.
-/// - **Update.** The bundle as a constrained zonotope is cut with the rows of the measurement ([`decomposition_solution`]), and is a bundle again by
+/// - **Update.** The bundle as a constrained zonotope is cut with the rows of the measurement ([`decomposition_solution`](nonlin_bounds::decomposition_solution)), and is a bundle again by
 ///   half-spaces around it ([`HPolytope::around`]): in up to three dimensions its facets if they are few enough, else those that cut off most.
 /// - **Reduction.** To [`DZbOptions::members`] members by [`ZonotopeBundle::reduce`], once there are more.
 ///
