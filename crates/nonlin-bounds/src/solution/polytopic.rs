@@ -62,8 +62,10 @@ pub(super) fn rows_over(
     Ok(Expanded::over(g, set, at, p, &mut workspace.jet)?.combined(y.normals()))
 }
 
-/// Most columns after a cut for which a row keeps a value of its own at every vertex.
-const MOST_COLUMNS: usize = 24;
+/// Most columns after a cut for which a row keeps a value of its own at every vertex. In the plane few of them stay, and those are found by sorting.
+const fn most_columns(dim: usize) -> usize {
+    if dim <= 2 { 256 } else { 24 }
+}
 
 /// Most columns in between, unless the set has more than half as many to begin with: sets nearly without interior can multiply.
 const MOST_BETWEEN: usize = 128;
@@ -87,8 +89,8 @@ pub enum PolytopicCut {
 /// noises that are the last variables of `g`.
 ///
 /// As [`polytopic_solution`] with the noises in the lower bounds at the vertices; each output is a row from above and one from below. A row that is
-/// not affine bends the set it cuts, with a vertex for every pair of columns; where that would leave more than 24 of them, it is taken as the
-/// half-space `mid [J_j] x <= const` with the widest of the remainders at the vertices, so that the number of vertices stays that of a polytope cut
+/// not affine bends the set it cuts, with a vertex for every pair of columns; where that would leave more than 24 of them (256 in the plane), it is
+/// taken as the half-space `mid [J_j] x <= const` with the widest of the remainders at the vertices, so that the number of vertices stays that of a polytope cut
 /// by half-spaces.
 ///
 /// **Guarantee:** superset of the solution set, rounding included, and a subset of `X` but for rounding.
@@ -133,7 +135,7 @@ pub fn polytopic_strips(
                 return Ok(PolytopicCut::ProvenEmpty { output, reach });
             }
             let kept = values.iter().filter(|&&value| value <= bound).count();
-            if kept + kept * (values.len() - kept) > MOST_COLUMNS {
+            if kept + kept * (values.len() - kept) > most_columns(n) {
                 let sign = if from_above { 1.0 } else { -1.0 };
                 let linear = solution.vertices().columns().map(|v| rows.linear(output, v).scale(sign));
                 flatten(&mut values, &linear.collect::<Vec<_>>());
