@@ -22,6 +22,7 @@ pub trait Function {
         const {
             match Self::VARIABLES {
                 Some(n) => n,
+                // Seen by the compiler only, never at run time.
                 None => panic!("a Function needs VARIABLES or variables()"),
             }
         }
