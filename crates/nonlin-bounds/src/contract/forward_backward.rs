@@ -76,8 +76,8 @@ impl ForwardBackward {
         self.run(tape, x, p, y, false, workspace)
     }
 
-    /// Shrinks the box `x` around the points at which the outputs with a bounded side in `y` are defined and take values there; the others, whose
-    /// range is the whole line, may be defined nowhere. So are measurements that are missing.
+    /// As [`contract`](Self::contract), but nothing is asked of an output whose required range is the whole line: it need not be defined at the points
+    /// that are kept, as the formula of a missing measurement need not be at the state.
     ///
     /// # Errors
     /// As [`contract`](Self::contract).
