@@ -2,7 +2,8 @@
 
 use scalars::Interval;
 
-use super::{Parts, midpoints, natural};
+use super::fit::{Parts, midpoints};
+use super::natural;
 
 /// `J = mid f'(H)`, `[e] = f(gamma) + (f'(H) - J) d`; in the columns of noises the derivative is taken with the states at `gamma`.
 ///

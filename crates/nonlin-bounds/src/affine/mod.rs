@@ -1,6 +1,8 @@
 //! [`AffineEnclosure`]: a function between two parallel affine functions on a box.
 
 mod domain;
+mod fit;
+mod form;
 mod mean_value;
 mod natural;
 mod slope;
@@ -9,56 +11,12 @@ mod taylor;
 use core::ops::Range;
 
 pub use domain::Domain;
+use fit::{fit, has_bounded_hessian};
+pub use form::Form;
 use scalars::Interval;
 use setrep::Matrix;
 
-use crate::function::evaluate;
 use crate::{BoundError, DynFunction, Jet, Operand, Order, Smoothness, Workspace};
-
-/// How a function is enclosed by an affine one. With `gamma` the expansion point, `H` the box, `d = H - gamma`:
-///
-/// | form | `J` | `[e]` | needs |
-/// |---|---|---|---|
-/// | `Natural` | `mid f'(H)` | `f(H) - J d` | defined |
-/// | `MeanValue` | `mid f'(H)` | `f(gamma) + (f'(H) - J) d` | C1 |
-/// | `Slope` | `mid S` | `f(gamma) + (S - J) d`, `S = f'(gamma) + d' f''(H) / 2` | C2 |
-/// | `Taylor` | `mid f'(gamma)` | `f(gamma) + (f'(gamma) - J) d + sum_k h_kk d_k^2 / 2 + sum_{j<k} h_jk d_j d_k` | C2 |
-///
-/// Take `Taylor` where Hessians are at hand: its remainder is of second order in the box and one-sided (`d_k^2 >= 0`), about the middle
-/// of the hull a quarter as wide as the mean value form's for `x^2` and never wider than the slope form's. `Slope` gains where the
-/// expansion point is far from the middle. `MeanValue` needs no Hessian. `Natural` needs nothing and keeps what it has of dependencies.
-///
-/// **Source:** Taylor: Lagrange's remainder; mean value: paper 003, Lemma 1; natural: paper 001, (30)-(33).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Form {
-    /// The range on the box against the mean gradient.
-    Natural,
-    /// The mean value theorem.
-    MeanValue,
-    /// A slope matrix from the Hessians, exact for quadratics.
-    Slope,
-    /// Taylor's theorem of first order with its remainder.
-    Taylor,
-}
-
-impl Form {
-    /// The derivatives over the box and at the expansion point.
-    fn orders(self) -> (Order, Order) {
-        match self {
-            Self::Natural | Self::MeanValue => (Order::Jacobian, Order::Value),
-            Self::Slope | Self::Taylor => (Order::Hessian, Order::Jacobian),
-        }
-    }
-
-    /// The smoothness that the form needs of an output.
-    fn needs(self) -> Smoothness {
-        match self {
-            Self::Natural => Smoothness::Defined,
-            Self::MeanValue => Smoothness::C1,
-            Self::Slope | Self::Taylor => Smoothness::C2,
-        }
-    }
-}
 
 /// An affine enclosure of a function `f` on a box `H` about a point `gamma`: `f(x) - J (x - gamma)` lies in `[e]` for every `x` in
 /// `H` and every parameter. Shapes `J: m x n`, `[e]: m` intervals, `gamma: n`, `H: n` intervals.
@@ -313,112 +271,4 @@ impl AffineEnclosure {
 fn check_output(f: &dyn DynFunction, i: usize) -> Result<(), BoundError> {
     let found = f.outputs();
     if i < found { Ok(()) } else { Err(BoundError::Dimension { operand: Operand::Outputs, expected: i + 1, found }) }
-}
-
-/// Whether no entry of the Hessian of an output is unbounded.
-fn has_bounded_hessian(jet: &Jet, output: usize) -> bool {
-    let size = jet.variables() * (jet.variables() + 1) / 2;
-    jet.hessians()[output * size..(output + 1) * size].iter().all(Interval::is_bounded)
-}
-
-/// Writes `J` and `[e]` of some outputs to the workspace, given the evaluation over the box there; `form` says how each is to be enclosed.
-fn fit(
-    f: &dyn DynFunction,
-    domain: &Domain<'_>,
-    at_point: Order,
-    outputs: Range<usize>,
-    form: impl Fn(&Jet, usize) -> Form,
-    workspace: &mut Workspace,
-) -> Result<(), BoundError> {
-    let (n, states) = (f.variables(), domain.states());
-    let Workspace {
-        over_box, at_point: point_jet, noise_at_point, point, steps, slopes, row, jacobian, offsets, ..
-    } = workspace;
-    point.clear();
-    point.extend(domain.at.iter().map(|&x| Interval::point(x)));
-    evaluate(f, at_point, point, domain.parameters, point_jet)?;
-    let nested = states < n && outputs.clone().any(|i| form(over_box, i) == Form::MeanValue);
-    if nested {
-        for (x, side) in point.iter_mut().zip(domain.hull).skip(states) {
-            *x = x.hull(*side);
-        }
-        evaluate(f, Order::Jacobian, point, domain.parameters, noise_at_point)?;
-    }
-    domain.steps_into(steps);
-    let parts = Parts {
-        over_box,
-        at_point: point_jet,
-        noise_at_point: nested.then_some(&*noise_at_point),
-        states,
-        steps: steps.as_slice(),
-    };
-    row.clear();
-    row.resize(n, 0.0);
-    jacobian.reset(outputs.len(), n);
-    offsets.clear();
-    for (line, i) in outputs.enumerate() {
-        offsets.push(match form(parts.over_box, i) {
-            Form::Natural => natural::row(&parts, i, row),
-            Form::MeanValue => mean_value::row(&parts, i, row),
-            Form::Slope => slope::row(&parts, i, row, slopes),
-            Form::Taylor => taylor::row(&parts, i, row),
-        });
-        for (k, &entry) in row.iter().enumerate() {
-            jacobian[(line, k)] = entry;
-        }
-    }
-    Ok(())
-}
-
-/// What the rows of `J` and `[e]` are made of.
-struct Parts<'a> {
-    /// Derivatives over the box.
-    over_box: &'a Jet,
-    /// Derivatives at the expansion point.
-    at_point: &'a Jet,
-    /// Derivatives with the states at the expansion point and the noises in the box, if they are used.
-    noise_at_point: Option<&'a Jet>,
-    /// Number of variables that are states.
-    states: usize,
-    /// `d = H - gamma`.
-    steps: &'a [Interval],
-}
-
-impl Parts<'_> {
-    /// Row `i` of the Jacobian over the box; empty if the function offers none.
-    fn gradient_over_box(&self, i: usize) -> &[Interval] {
-        let n = self.steps.len();
-        self.over_box.jacobian().get(i * n..(i + 1) * n).unwrap_or_default()
-    }
-
-    /// Row `i` of the Jacobian at the expansion point.
-    fn gradient_at_point(&self, i: usize) -> &[Interval] {
-        let n = self.steps.len();
-        self.at_point.jacobian().get(i * n..(i + 1) * n).unwrap_or_default()
-    }
-
-    /// The packed Hessian of output `i` over the box.
-    fn hessian(&self, i: usize) -> &[Interval] {
-        let size = self.steps.len() * (self.steps.len() + 1) / 2;
-        self.over_box.hessians().get(i * size..(i + 1) * size).unwrap_or_default()
-    }
-
-    /// `sum_k (S_k - J_k) d_k`: what a row `S` of slopes adds to the offset of output `i` for the row `J`.
-    fn spread<'a>(&self, slopes: impl Iterator<Item = &'a Interval>, row: &[f64]) -> Interval {
-        let mut sum = Interval::ZERO;
-        for ((slope, &middle), &step) in slopes.zip(row).zip(self.steps) {
-            let rest = slope.add_f64(-middle);
-            if rest != Interval::ZERO {
-                sum += rest * step;
-            }
-        }
-        sum
-    }
-}
-
-/// Midpoints of a row of slopes; 0 for what is unbounded.
-fn midpoints<'a>(slopes: impl Iterator<Item = &'a Interval>, row: &mut [f64]) {
-    for (entry, slope) in row.iter_mut().zip(slopes) {
-        *entry = if slope.is_bounded() { slope.mid() } else { 0.0 };
-    }
 }

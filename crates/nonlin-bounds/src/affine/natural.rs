@@ -2,7 +2,7 @@
 
 use scalars::Interval;
 
-use super::{Parts, midpoints};
+use super::fit::{Parts, midpoints};
 
 /// `J = mid f'(H)` (0 where that is unbounded), `[e] = f(H) - J d`.
 pub(super) fn row(parts: &Parts<'_>, i: usize, row: &mut [f64]) -> Interval {

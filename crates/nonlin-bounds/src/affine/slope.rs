@@ -2,7 +2,8 @@
 
 use scalars::Interval;
 
-use super::{Parts, midpoints, natural};
+use super::fit::{Parts, midpoints};
+use super::natural;
 
 /// `S_k = f'_k(gamma) + sum_j h_jk d_j / 2` with the Hessian `h` over the box; `J = mid S`, `[e] = f(gamma) + (S - J) d`.
 ///

@@ -2,7 +2,8 @@
 
 use scalars::Interval;
 
-use super::{Parts, midpoints, natural};
+use super::fit::{Parts, midpoints};
+use super::natural;
 
 /// `J = mid f'(gamma)`, `[e] = f(gamma) + (f'(gamma) - J) d + sum_k h_kk d_k^2 / 2 + sum_{j<k} h_jk d_j d_k`, Hessian `h` over the box.
 ///

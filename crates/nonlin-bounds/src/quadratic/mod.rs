@@ -1,12 +1,14 @@
 //! [`QuadraticEnclosure`]: an affine enclosure and the quadratic term of Taylor's theorem in the coordinates of a set.
 
+mod parts;
 mod products;
 
+pub(crate) use parts::Parts;
 pub(crate) use products::is_model_size;
 
 use scalars::Interval;
-use scalars::rounding::{add_up, mul_up};
-use setrep::{ConstrainedZonotope, Matrix};
+use scalars::rounding::add_up;
+use setrep::ConstrainedZonotope;
 
 use crate::function::evaluate;
 use crate::{AffineEnclosure, BoundError, Domain, DynFunction, GeneratorSet, Operand, Order, Smoothness, Workspace};
@@ -281,70 +283,6 @@ impl QuadraticEnclosure {
     }
 }
 
-/// What a quadratic enclosure is built from and in.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Parts {
-    /// Generators, with the components of the remainder of model size among them, and the rest of the remainder.
-    columns: Matrix,
-    rest: Vec<f64>,
-    /// `p = c - gamma`, `H - gamma`, `H - c`, `L = p'Q`, `f''(H) G`.
-    shift: Vec<Interval>,
-    steps: Vec<Interval>,
-    about_center: Vec<Interval>,
-    cross: Vec<Interval>,
-    curved: Vec<Interval>,
-    /// Generators, constraints and ranges of `K`, and the columns that are not zero.
-    generators: Matrix,
-    rows: Matrix,
-    ranges: Vec<Interval>,
-    kept: Matrix,
-    kept_rows: Matrix,
-    zeros: Vec<f64>,
-}
-
-impl Parts {
-    /// `H - gamma`, `H - c` and `c - gamma`.
-    fn boxes(&mut self, domain: &Domain<'_>, center: &[f64]) {
-        self.steps.clear();
-        self.about_center.clear();
-        self.shift.clear();
-        for ((side, &at), &c) in domain.hull.iter().zip(domain.at).zip(center) {
-            self.steps.push(side.add_f64(-at));
-            self.about_center.push(side.add_f64(-c));
-            self.shift.push(Interval::point(c).add_f64(-at));
-        }
-    }
-
-    /// `L = p'Q` of a packed Hessian.
-    fn cross(&mut self, hessian: &[Interval]) {
-        multiply(hessian, &self.shift, &mut self.cross);
-        self.cross.iter_mut().for_each(|entry| *entry = entry.scale(0.5));
-    }
-
-    /// Bound of what the rest `e` of the remainder does to the quadratic term: `z - gamma = y + e`, and
-    /// `e'Q (2 (z - gamma) - e) + 2 L e` is missing from the terms in `y`.
-    fn lost(&self, hessian: &[Interval]) -> f64 {
-        let mut sum = 0.0;
-        if self.rest.iter().all(|&r| r == 0.0) {
-            return sum;
-        }
-        let n = self.rest.len();
-        let mut entries = hessian.iter();
-        for j in 0..n {
-            sum = add_up(sum, mul_up(2.0 * self.cross[j].mag(), self.rest[j]));
-            for (k, entry) in (j..n).zip(&mut entries) {
-                let half = mul_up(0.5, entry.mag());
-                let reach = |k: usize| add_up(2.0 * self.steps[k].mag(), self.rest[k]);
-                sum = add_up(sum, mul_up(half, mul_up(self.rest[j], reach(k))));
-                if j < k {
-                    sum = add_up(sum, mul_up(half, mul_up(self.rest[k], reach(j))));
-                }
-            }
-        }
-        sum
-    }
-}
-
 /// A value with its unbounded sides replaced by those of a range, where it reaches as far.
 fn bounded_by(value: Interval, range: Interval) -> Interval {
     let lo = if value.lo() == f64::NEG_INFINITY { range.lo().min(value.hi()) } else { value.lo() };
@@ -355,25 +293,4 @@ fn bounded_by(value: Interval, range: Interval) -> Interval {
 /// A midpoint; 0 for what is unbounded.
 fn midpoint(x: Interval) -> f64 {
     if x.is_bounded() { x.mid() } else { 0.0 }
-}
-
-/// `h x` of a packed symmetric matrix into `product`.
-fn multiply(packed: &[Interval], x: &[Interval], product: &mut Vec<Interval>) {
-    let n = x.len();
-    product.clear();
-    product.resize(n, Interval::ZERO);
-    let mut entries = packed.iter();
-    for j in 0..n {
-        for (k, entry) in (j..n).zip(&mut entries) {
-            if *entry == Interval::ZERO {
-                continue;
-            }
-            if x[k] != Interval::ZERO {
-                product[j] += *entry * x[k];
-            }
-            if j < k && x[j] != Interval::ZERO {
-                product[k] += *entry * x[j];
-            }
-        }
-    }
 }

@@ -4,7 +4,8 @@ use scalars::Interval;
 use scalars::rounding::add_up;
 use setrep::{ConstrainedZonotope, Zonotope};
 
-use super::{Parts, midpoint, multiply};
+use super::midpoint;
+use super::parts::{Parts, multiply};
 
 impl Parts {
     /// Splits the set into columns, with the large components of the remainder, and a rest.
