@@ -1,20 +1,26 @@
 //! [`InvariantWheels`]: the three problems on their groups, with the left- or the right-invariant error.
 
 use lie_groups::{LieGroup, SE2, SO2};
-use nalgebra::{Matrix2, Matrix3, SMatrix, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix2x3, Matrix3, SMatrix, Vector2, Vector3};
 
 use super::state::{WheelStep, quarter};
 use crate::kalman::{Motion, OnGroup, Sensor, SmoothMotion, SmoothSensor};
 use crate::{ErrorSide, EstimatorError};
 
-/// A group whose elements are states of a wheeled robot, and whose action takes the origin to the antenna.
+/// A group whose elements are states of a wheeled robot.
 pub trait Drivable<const N: usize>: LieGroup<f64, N, 2> + 'static {
     /// The state after a step.
     #[must_use]
     fn driven(&self, step: &WheelStep) -> Self;
 
+    /// Where the antenna is, `x + g * X`, m.
+    fn antenna(&self) -> Vector2<f64>;
+
     /// `(A, G)` of a step for the left-invariant error: `A e + G (n_theta, n_U)` after it, `A` exactly so for any `e`.
     fn left_jacobians(&self, step: &WheelStep) -> (SMatrix<f64, N, N>, SMatrix<f64, N, 3>);
+
+    /// Derivative of the antenna's place by the left-invariant error: `g * [0, I, I]`.
+    fn left_output(&self) -> SMatrix<f64, 2, N>;
 }
 
 /// A wheeled robot on a group ([`Drivable`]): a step of gyro and wheels, fixes of the antenna; noises as those of [`Wheels`](super::Wheels).
@@ -57,7 +63,7 @@ impl<G: Drivable<N>, Side: ErrorSide + PartialEq, const N: usize> Sensor<OnGroup
     for InvariantWheels
 {
     fn output(&self, x: &G, v: &Vector2<f64>) -> Vector2<f64> {
-        x.act(&Vector2::zeros()) + v
+        x.antenna() + v
     }
 }
 
@@ -65,7 +71,8 @@ impl<G: Drivable<N>, Side: ErrorSide + PartialEq, const N: usize> SmoothSensor<O
     for InvariantWheels
 {
     fn output_jacobians(&self, x: &G) -> (SMatrix<f64, 2, N>, Matrix2<f64>) {
-        (Side::point_jacobian(x, &Vector2::zeros()), Matrix2::identity())
+        let h = x.left_output();
+        (if Side::IS_LEFT { h } else { h * x.inverse().adjoint() }, Matrix2::identity())
     }
 }
 
@@ -83,5 +90,13 @@ impl Drivable<3> for SE2<f64> {
         a.fixed_view_mut::<2, 1>(1, 0).copy_from(&(back * quarter(&step.shift)));
         g[(0, 0)] = 1.0;
         (a, g)
+    }
+
+    fn antenna(&self) -> Vector2<f64> {
+        self.translation()
+    }
+
+    fn left_output(&self) -> Matrix2x3<f64> {
+        self.act_linear() * Self::act_jacobian(&Vector2::zeros())
     }
 }
