@@ -4,7 +4,8 @@
 //! units in the last place at every scale of the rotation angle, over [`scalars::Interval`] they are enclosures.
 //!
 //! # Conventions
-//! - **Tangent order:** rotation first, then translation: `xi = (theta, x1, x2)` on SE(2). Angles are radians.
+//! - **Tangent order:** rotation, log-scale, fixed-frame vectors, body-frame vectors: `xi = (theta, x1, x2)` on SE(2),
+//!   `(theta, s, x1, x2, l1, l2)` on [`TfgScaleLever2`]. Angles are radians.
 //! - **exp** maps a tangent vector to the group, `exp(xi) = expm(hat(xi))`; **log** is its principal inverse.
 //! - **Adjoint:** `X exp(xi) X^-1 = exp(Ad_X xi)`; `ad_xi` is its derivative, `Ad_exp(xi) = expm(ad_xi)`, `ad_xi eta = [xi, eta]`.
 //! - **Left Jacobian:** `exp(xi + d) = exp(Jl(xi) d) exp(xi)` to first order in `d`; `Jl(xi) = sum_j ad_xi^j / (j + 1)!`.
@@ -36,18 +37,29 @@ mod coeff;
 mod complex;
 mod enclose;
 mod error;
+mod frame_group;
 mod lie_group;
+mod named;
+mod r_plus;
 mod rn;
+mod scaled_so2;
 mod se2;
+mod small;
 mod so2;
 mod turn;
+mod two_frame;
 
-pub use coeff::Coeff;
+pub use coeff::{BothSigns, Coeff, ScaledCoeff};
 pub use complex::Complex;
 pub use enclose::Enclose;
 pub use error::GroupError;
+pub use frame_group::{FrameGroup, WithMaps};
 pub use lie_group::LieGroup;
+pub use named::{SE22, SEK2, Sim2, TfgLever2, TfgScaleLever2};
+pub use r_plus::RPlus;
 pub use rn::Rn;
+pub use scaled_so2::ScaledSO2;
 pub use se2::SE2;
 pub use so2::SO2;
 pub use turn::Turn;
+pub use two_frame::TwoFrame;

@@ -11,14 +11,28 @@ mod support;
 mod battery;
 mod probe;
 
-use lie_groups::{Rn, SE2, SO2};
+use lie_groups::{RPlus, Rn, SE2, SE22, SO2, ScaledSO2, Sim2, TfgLever2, TfgScaleLever2};
 use scalars::Interval;
 
-battery::laws!(so2_f64: SO2<f64>, 1, 2);
-battery::laws!(se2_f64: SE2<f64>, 3, 2);
-battery::laws!(r1_f64: Rn<f64, 1>, 1, 1);
-battery::laws!(r3_f64: Rn<f64, 3>, 3, 3);
-battery::laws!(so2_interval: SO2<Interval>, 1, 2);
-battery::laws!(se2_interval: SE2<Interval>, 3, 2);
-battery::laws!(r1_interval: Rn<Interval, 1>, 1, 1);
-battery::laws!(r3_interval: Rn<Interval, 3>, 3, 3);
+battery::laws! {
+    so2_f64: SO2<f64>, "r", 2;
+    so2_interval: SO2<Interval>, "r", 2;
+    r_plus_f64: RPlus<f64>, "s", 1;
+    r_plus_interval: RPlus<Interval>, "s", 1;
+    scaled_so2_f64: ScaledSO2<f64>, "rs", 2;
+    scaled_so2_interval: ScaledSO2<Interval>, "rs", 2;
+    r1_f64: Rn<f64, 1>, "x", 1;
+    r1_interval: Rn<Interval, 1>, "x", 1;
+    r3_f64: Rn<f64, 3>, "xxx", 3;
+    r3_interval: Rn<Interval, 3>, "xxx", 3;
+    se2_f64: SE2<f64>, "rxx", 2;
+    se2_interval: SE2<Interval>, "rxx", 2;
+    se22_f64: SE22<f64>, "rxxxx", 2;
+    se22_interval: SE22<Interval>, "rxxxx", 2;
+    sim2_f64: Sim2<f64>, "rsxx", 2;
+    sim2_interval: Sim2<Interval>, "rsxx", 2;
+    tfg_lever2_f64: TfgLever2<f64>, "rxxxx", 2;
+    tfg_lever2_interval: TfgLever2<Interval>, "rxxxx", 2;
+    tfg_scale_lever2_f64: TfgScaleLever2<f64>, "rsxxxx", 2;
+    tfg_scale_lever2_interval: TfgScaleLever2<Interval>, "rsxxxx", 2;
+}
