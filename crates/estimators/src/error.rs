@@ -72,6 +72,14 @@ pub enum EstimatorError {
         /// Smallest ratio accepted.
         limit: f64,
     },
+    /// A measurement that the belief does not expect: beyond the gate of a Kalman filter, which keeps the predicted belief.
+    #[error("normalised innovation squared {nis}, more than the gate {limit}")]
+    Gated {
+        /// Normalised innovation squared.
+        nis: f64,
+        /// The gate.
+        limit: f64,
+    },
     /// The pair `(A, C)` is not observable, so no gain moves all eigenvalues of `A - L C`.
     #[error("the pair (A, C) is not observable: rank {rank} of {states}")]
     NotObservable {

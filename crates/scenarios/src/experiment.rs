@@ -27,6 +27,7 @@ pub fn all() -> Vec<&'static dyn Experiment> {
     vec![
         &crate::inzsmf::InZsmfExperiment,
         &crate::wifibot::WifibotExperiment,
+        &crate::wheel_lever::WheelLeverExperiment,
         &crate::images::ImagesExperiment,
         &crate::cz_planar::PlanarExperiment,
         &crate::cz_attitude::AttitudeExperiment,

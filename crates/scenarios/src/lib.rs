@@ -32,6 +32,7 @@ pub mod truth;
 pub mod unicycle;
 pub mod vehicle;
 pub mod vehicle_polar;
+pub mod wheel_lever;
 pub mod wifibot;
 
 pub use curve::Curve;

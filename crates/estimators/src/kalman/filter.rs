@@ -55,11 +55,13 @@ pub trait Observe<Se: Sensor<C, N, M, V>, C: Chart<N>, const N: usize, const M: 
 pub struct Kalman<Mo, Rule, C: Chart<N>, const N: usize, const M: usize, const W: usize, const V: usize> {
     pub(super) model: Mo,
     pub(super) rule: Rule,
-    belief: Gaussian<C, N>,
-    process: SMatrix<f64, W, W>,
+    pub(super) belief: Gaussian<C, N>,
+    pub(super) process: SMatrix<f64, W, W>,
     noise: SMatrix<f64, V, V>,
     innovation: Option<Innovation<M>>,
     reset: bool,
+    /// Largest accepted NIS of the model's own sensor.
+    gate: f64,
 }
 
 impl<Mo, Rule, C, const N: usize, const M: usize, const W: usize, const V: usize> Kalman<Mo, Rule, C, N, M, W, V>
@@ -86,7 +88,8 @@ where
         Sensor::<C, N, M, V>::check(&model)?;
         let process = root::factor("covariance of the process noise", process)?;
         let noise = root::factor("covariance of the output noise", noise)?;
-        Ok(Self { model, rule: Rule::default(), belief: initial, process, noise, innovation: None, reset: false })
+        let rule = Rule::default();
+        Ok(Self { model, rule, belief: initial, process, noise, innovation: None, reset: false, gate: f64::INFINITY })
     }
 
     /// Whether the covariance is moved to the coordinates around the corrected mean.
@@ -94,6 +97,23 @@ where
     pub fn with_reset(mut self, reset: bool) -> Self {
         self.reset = reset;
         self
+    }
+
+    /// Refuses measurements of the model's own sensor whose [`nis`](Innovation::nis) exceeds `limit`: the update is then
+    /// [`EstimatorError::Gated`] and the belief stays the predicted one. Infinite (no gate) by default.
+    ///
+    /// If the model is right, a share of `1 - p` of the measurements exceeds the `p`-quantile of the chi-squared distribution with `M`
+    /// degrees of freedom: for `p` = 99 % these are 6.63, 9.21, 11.34, 13.28 for `M` = 1 to 4, for 99.9 % 10.83, 13.82, 16.27, 18.47.
+    ///
+    /// # Errors
+    /// [`EstimatorError::EmptyRange`] for a limit that is NaN or not positive.
+    pub fn with_gate(mut self, limit: f64) -> Result<Self, EstimatorError> {
+        if limit > 0.0 {
+            self.gate = limit;
+            Ok(self)
+        } else {
+            Err(EstimatorError::EmptyRange { what: "gate", index: 0 })
+        }
     }
 
     /// The belief.
@@ -136,7 +156,7 @@ where
         self.innovation.as_ref()
     }
 
-    /// An update by another sensor, whose noise has the covariance `noise`; its innovation.
+    /// An update by another sensor, whose noise has the covariance `noise`; its innovation. The gate is not asked.
     ///
     /// # Errors
     /// As [`Estimator::update`] and [`new`](Self::new).
@@ -154,15 +174,20 @@ where
         check_finite("output", y.as_slice())?;
         let noise = root::factor("covariance of the output noise", noise)?;
         let (joint, residual) = self.rule.observe(sensor, &self.belief, &noise, y)?;
-        self.correct(&joint, residual)
+        self.correct(&joint, residual, f64::INFINITY)
     }
 
     fn correct<const K: usize>(
         &mut self,
         joint: &Joint<N, K>,
         residual: SVector<f64, K>,
+        gate: f64,
     ) -> Result<Innovation<K>, EstimatorError> {
         let (shift, mut root, innovation) = joint.condition(residual)?;
+        let nis = innovation.nis();
+        if nis > gate {
+            return Err(EstimatorError::Gated { nis, limit: gate });
+        }
         check_finite("correction", shift.as_slice())?;
         if self.reset && !C::FLAT {
             root = root::triangular(&(C::transport(&shift) * root));
@@ -197,7 +222,7 @@ where
         Sensor::<C, N, M, V>::check(&self.model)?;
         let y = SVector::from_column_slice(output);
         let (joint, residual) = self.rule.observe(&self.model, &self.belief, &self.noise, &y)?;
-        self.innovation = Some(self.correct(&joint, residual)?);
+        self.innovation = Some(self.correct(&joint, residual, self.gate)?);
         Ok(())
     }
 

@@ -103,7 +103,31 @@ impl<const N: usize, const M: usize> Joint<N, M> {
         Ok(())
     }
 
-    /// The root of the states' covariance, where there are no outputs.
+    /// The root `S_yy` of the outputs' covariance.
+    pub(super) fn outputs(&self) -> &SMatrix<f64, M, M> {
+        &self.outputs
+    }
+
+    /// Ratio of a squared pivot of the outputs' covariance to the diagonal entry it came from; NaN if that is 0.
+    fn pivot_ratio(&self, j: usize) -> f64 {
+        // Relative to the largest entry, whose square may leave the range.
+        let row = self.outputs.row(j) / self.outputs.row(j).amax();
+        row[j].powi(2) / row.norm_squared()
+    }
+
+    /// `P_xy P_yy^-1 y`; where `P_yy` is singular, what is off its range counts as 0.
+    pub(super) fn gain(&self, y: &SVector<f64, M>) -> SVector<f64, N> {
+        let mut z = SVector::<f64, M>::zeros();
+        for i in 0..M {
+            if self.pivot_ratio(i) >= PIVOT_LIMIT {
+                let known: f64 = (0..i).map(|j| self.outputs[(i, j)] * z[j]).sum();
+                z[i] = (y[i] - known) / self.outputs[(i, i)];
+            }
+        }
+        self.cross * z
+    }
+
+    /// The root of the states' covariance given the outputs; all of it where there are none.
     pub(super) fn states(&self) -> &SMatrix<f64, N, N> {
         &self.states
     }
@@ -115,14 +139,9 @@ impl<const N: usize, const M: usize> Joint<N, M> {
     ) -> Result<(SVector<f64, N>, SMatrix<f64, N, N>, Innovation<M>), EstimatorError> {
         check_finite("innovation", residual.as_slice())?;
         check_finite("covariance of the innovation", self.outputs.as_slice())?;
-        // Relative to the largest entry, whose square may leave the range.
-        let ratio = |j: usize| {
-            let row = self.outputs.row(j) / self.outputs.row(j).amax();
-            row[j].powi(2) / row.norm_squared()
-        };
         // A ratio 0 / 0 is not accepted either.
-        if !(0..M).all(|j| ratio(j) >= PIVOT_LIMIT) {
-            let pivot_ratio = (0..M).map(ratio).fold(f64::INFINITY, f64::min);
+        if !(0..M).all(|j| self.pivot_ratio(j) >= PIVOT_LIMIT) {
+            let pivot_ratio = (0..M).map(|j| self.pivot_ratio(j)).fold(f64::INFINITY, f64::min);
             let pivot_ratio = if pivot_ratio < PIVOT_LIMIT { pivot_ratio } else { 0.0 };
             return Err(EstimatorError::SingularInnovation { outputs: M, pivot_ratio, limit: PIVOT_LIMIT });
         }

@@ -5,8 +5,11 @@
 //! error on a group ([`OnGroup`]). A model is a [`Motion`] and a [`Sensor`]: one type, or a pair; [`ByFunction`] makes them of the
 //! functions that the set-valued filters take.
 //!
-//! Reading order: `chart`, `gaussian` with `root`, `model`, `by_function`; `innovation` and `filter`; `ekf`, `linear`,
-//! `sigma_points` and `ukf`.
+//! A [`Track`] remembers the predictions of an [`Ekf`] or a [`Kf`] and smooths them backwards. [`wheels`] has the invariant filters of paper
+//! 002 for a wheeled robot whose wheel radius and antenna are not known.
+//!
+//! Reading order: `chart`, `gaussian` with `root`, `model`, `by_function`; `innovation` and `filter`; `ekf`, `linear`, `smoother`;
+//! `sigma_points` and `ukf`; `wheels`.
 
 mod by_function;
 mod chart;
@@ -18,7 +21,9 @@ mod linear;
 mod model;
 mod root;
 mod sigma_points;
+mod smoother;
 mod ukf;
+pub mod wheels;
 
 pub use by_function::ByFunction;
 pub use chart::{Chart, Flat, OnGroup};
@@ -29,4 +34,5 @@ pub use innovation::{Innovation, Joint};
 pub use linear::{Kf, LinearModel};
 pub use model::{Motion, Sensor, SmoothMotion, SmoothSensor};
 pub use sigma_points::SigmaPoints;
+pub use smoother::Track;
 pub use ukf::{Ukf, Unscented};

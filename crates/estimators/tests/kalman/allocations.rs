@@ -1,9 +1,10 @@
 //! Steps in steady state allocate nothing.
 
 use estimators::Estimator;
-use estimators::kalman::{Ekf, Flat, Gaussian, Kf, SigmaPoints, Ukf};
+use estimators::kalman::wheels::{TfgIekf, TwoFrameError, WheelError, WheelState, WheelStep, Wheels};
+use estimators::kalman::{Ekf, Flat, Gaussian, Kf, SigmaPoints, Track, Ukf};
 use lie_groups::SE2;
-use nalgebra::{Matrix2, Matrix3, Matrix4, Vector3, Vector4};
+use nalgebra::{Matrix2, Matrix3, Matrix4, Vector2, Vector3, Vector4, Vector6};
 
 use crate::models::{LeftPlane, Planar, covariance, linear, tracking};
 use crate::support::Random;
@@ -42,4 +43,13 @@ fn a_step_allocates_nothing() {
     let mut ukf: Ukf<_, LeftPlane, 3, 2, 3, 2> =
         Ukf::new(Planar, start, &(Matrix3::identity() * 0.01), &r).unwrap().with_reset(true);
     assert_quiet("ukf on SE(2)", || ukf.step(&Vector3::new(0.1, 0.1, 0.0), &[0.1, 0.2]).unwrap());
+
+    let guess = WheelState::new(0.0, 1.0, Vector2::zeros(), Vector2::zeros());
+    let start = TwoFrameError::belief(guess, &Vector6::repeat(0.5)).unwrap();
+    let mut tfg = TfgIekf::new(Wheels, start, &(Matrix3::identity() * 1e-4), &r).unwrap().with_reset(true);
+    let mut track = Track::with_capacity(101);
+    assert_quiet("tfg-iekf, remembered", || {
+        tfg.predict_into(&WheelStep::new(0.1, Vector2::new(0.1, 0.0)), &mut track).unwrap();
+        tfg.update(&[0.1, 0.2]).unwrap();
+    });
 }

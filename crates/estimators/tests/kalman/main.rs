@@ -11,4 +11,6 @@ mod groups;
 mod hard;
 mod identities;
 mod models;
+mod smoother;
 mod statistics;
+mod wheels;

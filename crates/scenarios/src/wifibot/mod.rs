@@ -1,12 +1,14 @@
-//! Experiment `wifibot`: the filters of paper 000 on real logs of a wheeled robot.
+//! Experiment `wifibot`: the filters of papers 000 and 002 on real logs of a wheeled robot.
 //!
-//! Reading order: [`odometry`] (increments and their bounds), [`filters`], [`study`] (runs), [`figures`], [`report`] (rows and text).
+//! Reading order: [`odometry`] (increments and their bounds), [`filters`], [`study`] (runs), [`figures`], [`report`] (rows and text);
+//! [`wheels`] (paper 002: unknown wheel scale and lever arm).
 
 pub mod figures;
 pub mod filters;
 pub mod odometry;
 pub mod report;
 pub mod study;
+pub mod wheels;
 
 use std::time::Instant;
 
@@ -20,8 +22,10 @@ use study::Study;
 pub const LOGS: [u32; 2] = [2, 3];
 /// Draws of noise: full size, quick.
 const RUNS: (usize, usize) = (100, 10);
+/// The same for the filters with unknown wheels.
+const WHEEL_RUNS: (usize, usize) = (50, 10);
 
-/// ZSMF and InZSMF on logs 2 and 3: wheel odometry, position fixes once a second, unknown first heading.
+/// ZSMF, InZSMF and the Kalman filters of paper 002 on logs 2 and 3: wheel odometry, position fixes once a second, unknown first heading.
 #[derive(Clone, Copy, Debug)]
 pub struct WifibotExperiment;
 
@@ -31,23 +35,27 @@ impl Experiment for WifibotExperiment {
     }
 
     fn describe(&self) -> &'static str {
-        "ZSMF and InZSMF on real logs of a wheeled robot: odometry, position fixes at 1 Hz, unknown first heading"
+        "real logs of a wheeled robot, unknown first heading: ZSMF and InZSMF; EKF and invariant filters with unknown wheels and antenna"
     }
 
     fn run(&self, context: &Context<'_>) -> Result<Output, ScenarioError> {
         let runs = context.runs_or(RUNS.0, RUNS.1);
-        let courses = LOGS.map(|number| Course::new(number, &load(context.data, self.name(), number)?));
+        let wheel_runs = context.runs_or(WHEEL_RUNS.0, WHEEL_RUNS.1);
         let mut results = Results::new(self.name(), context.seed, runs);
-        let (mut studies, mut timings) = (Vec::new(), Vec::new());
-        for course in courses {
-            let course = course?;
+        let (mut studies, mut wheels, mut timings) = (Vec::new(), Vec::new(), Vec::new());
+        for number in LOGS {
+            let lines = load(context.data, self.name(), number)?;
+            let course = Course::new(number, &lines)?;
+            wheels.push(wheels::Study::new(context, number, &lines, wheel_runs)?);
             let study = Study::new(context, &course, runs)?;
             results.rows.extend(report::rows(&course, &study));
             timings.extend(time(&course, &study)?);
             studies.push((course, study));
         }
-        let figures = studies.iter().map(|(course, study)| figures::figure(course, study)).collect();
-        let report = report::report(&studies, &results, &timings);
+        results.rows.extend(wheels.iter().flat_map(wheels::report::rows));
+        let figures = studies.iter().map(|(course, study)| figures::figure(course, study));
+        let figures = figures.chain(wheels.iter().map(wheels::report::figure)).collect();
+        let report = report::report(&studies, &wheels, &results, &timings);
         Ok(Output { results, timings, report, figures, curves: Vec::new() })
     }
 }

@@ -1,8 +1,8 @@
 //! One-second increments of wheel odometry, and how far they are from the reference.
 //!
-//! Speed and rate of a sample are those of the interval that ends with it: in the logs speed times interval is smooth, the speed
-//! alone jumps with the length of the interval. (Read as those of the interval that begins, the wheels would seem 5 % off; they are off
-//! by half a per cent.)
+//! Speed and rate of a sample are those of the interval that ends with it ([`Rule::Ends`]): in the logs speed times interval is smooth, the
+//! speed alone jumps with the length of the interval. (Read as those of the interval that begins, [`Rule::Begins`], the wheels would seem 5 %
+//! off; they are off by half a per cent.)
 //!
 //! The state moves by `X_{k+1} = X_k D_k exp(w_k)`: `D_k` composes the small motions of the samples of a window, and
 //! `w_k = log(D_k^-1 X_k^-1 X_{k+1})` is what the reference says they missed. The bounds on `w_k` are the worst of the whole log, each
@@ -21,6 +21,15 @@ use crate::vehicle::Pose;
 pub const WINDOW_S: f64 = 1.0;
 /// The bounds are this many times the worst error of the log.
 pub const SAFETY: f64 = 1.2;
+
+/// Which interval speed and rate of a sample belong to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// The one that ends with the sample.
+    Ends,
+    /// The one that begins with it.
+    Begins,
+}
 
 /// One window of a log.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +61,14 @@ impl Course {
     /// # Errors
     /// [`LogError::TooShort`] for a log without a full window, [`ScenarioError::Group`] if an increment is off by half a turn.
     pub fn new(number: u32, samples: &[Sample]) -> Result<Self, ScenarioError> {
+        Self::read(number, samples, Rule::Ends)
+    }
+
+    /// [`new`](Self::new) with a rule for the speeds.
+    ///
+    /// # Errors
+    /// Those of `new`.
+    pub fn read(number: u32, samples: &[Sample], rule: Rule) -> Result<Self, ScenarioError> {
         let too_short = || {
             let source = LogError::TooShort { found: samples.len(), needed: 1 + (WINDOW_S * 50.0) as usize };
             ScenarioError::Log { path: format!("wifibot{number}").into(), source }
@@ -61,7 +78,7 @@ impl Course {
         let mut start = 0;
         for (index, sample) in samples.iter().enumerate().skip(1) {
             if sample.time_s >= first.time_s + WINDOW_S * (windows.len() + 1) as f64 {
-                windows.push(Window::new(&samples[start..=index])?);
+                windows.push(Window::new(&samples[start..=index], rule)?);
                 start = index;
             }
         }
@@ -86,14 +103,15 @@ impl Course {
 }
 
 impl Window {
-    fn new(samples: &[Sample]) -> Result<Self, ScenarioError> {
+    fn new(samples: &[Sample], rule: Rule) -> Result<Self, ScenarioError> {
         let (start, end) = (&samples[0], &samples[samples.len() - 1]);
         let mut motion = SE2::identity();
         let mut turn = 0.0;
         for pair in samples.windows(2) {
             let (previous, sample) = (&pair[0], &pair[1]);
             let period_s = sample.time_s - previous.time_s;
-            let small = period_s * Vector3::new(sample.gyro_rad_s, sample.forward_m_s, sample.lateral_m_s);
+            let read = if rule == Rule::Ends { sample } else { previous };
+            let small = period_s * Vector3::new(read.gyro_rad_s, read.forward_m_s, read.lateral_m_s);
             motion = motion.compose(&SE2::exp(&small));
             turn += small[0];
         }

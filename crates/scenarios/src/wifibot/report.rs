@@ -6,6 +6,7 @@ use crate::wifibot::figures::caption;
 use crate::wifibot::filters::{FIX_BOUND_M, Method, REDUCTION};
 use crate::wifibot::odometry::{Course, SAFETY};
 use crate::wifibot::study::{HEADING_ERRORS_DEG, SETTLED, Study, Summary};
+use crate::wifibot::wheels;
 use crate::{Mode, Report, Results, Row, Table};
 
 /// The name of a log in the rows.
@@ -58,8 +59,8 @@ const _: () = assert!(SETTLED == 20);
 
 /// The report over all logs.
 #[must_use]
-pub fn report(studies: &[(Course, Study)], results: &Results, timings: &[Row]) -> Report {
-    let mut report = Report::new("Real robot: ZSMF and InZSMF on wheel odometry and position fixes");
+pub fn report(studies: &[(Course, Study)], wheels: &[wheels::Study], results: &Results, timings: &[Row]) -> Report {
+    let mut report = Report::new("Real robot: set-valued and Kalman filters on wheel odometry and position fixes");
     report
         .paragraph(
             "A wheeled robot drives indoors; a motion-capture system gives its reference pose. The filters get the wheel speed and the gyro, \
@@ -78,6 +79,7 @@ pub fn report(studies: &[(Course, Study)], results: &Results, timings: &[Row]) -
             .table(Table::pivot(results.table(&log_name(course))));
     }
     report.heading("Bounds on the odometry").table(Table::pivot(results.table(BOUNDS)));
+    wheels::report::describe(&mut report, wheels, results);
     report
         .heading("Time of a step")
         .paragraph("One prediction and one correction, one thread.")
