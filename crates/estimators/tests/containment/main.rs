@@ -7,4 +7,6 @@ mod support;
 
 mod hulls;
 mod linear;
+mod strips;
+mod strips_calibration;
 mod vehicle;
