@@ -2,6 +2,7 @@
 
 use lie_groups::GroupError;
 use nonlin_bounds::BoundError;
+use scalars::Interval;
 use setrep::SetError;
 use thiserror::Error;
 
@@ -141,6 +142,12 @@ pub enum EstimatorError {
     NoSigmaPoints {
         /// Squared distance of the points from the mean, in standard deviations.
         squared_spread: f64,
+    },
+    /// A measurement that is linear in the embedding of a planar group only where the scale is known to be 1.
+    #[error("needs the scale 1, which is only known to lie in {scale}")]
+    ScaleUnknown {
+        /// What is known of the scale.
+        scale: Interval,
     },
     /// A matrix factorisation or an iteration did not converge.
     #[error("{what} did not converge")]

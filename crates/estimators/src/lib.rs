@@ -7,6 +7,7 @@
 //! |---|---|---|---|
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
+//! | [`InvariantStrips`] | `SE(2)`, `SE_K(2)`, planar two-frame groups (lever arms, scale of the odometry) | polytope in the matrix embedding, past measurements as its rows | rigorous |
 //! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
 //! | [`ZonotopeFilter`] | `R^n`, a [`System`] | zonotope: ZMV and ZFO of paper 003 | rigorous |
 //! | [`Zf`] | `R^n`, a [`System`] | zonotope: ZF of paper 001, linear systems included | rigorous |
@@ -56,6 +57,7 @@ mod error_set;
 mod estimator;
 pub mod gain;
 mod inconsistency;
+mod invariant_strips;
 mod inzsmf;
 pub mod kalman;
 mod linear_cz;
@@ -73,6 +75,7 @@ pub use error::EstimatorError;
 pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};
 pub use inconsistency::{Culprit, Evidence, Inconsistency};
+pub use invariant_strips::{InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions};
 pub use inzsmf::{ErrorSide, InZsmf, Left, Outputs, Right};
 pub use linear_cz::{LinearCz, LinearOptions, LinearSystem, NoiseForm};
 pub use polytopic::{
