@@ -8,7 +8,7 @@ use rand::Rng;
 use scalars::Interval;
 
 use crate::noise::{BoundedNoise, NoiseKind};
-use crate::truth::{Exact, TruthError, output_within, proven_within};
+use crate::truth::{TruthError, output_within, proven_within};
 use crate::vehicle::{Pose, TruePose};
 
 /// An increment measured by gyro and wheels.

@@ -52,7 +52,9 @@ impl Drive {
         let mut drawn = BoundedNoise::new(kind, bounds);
         let mut held = inner.map(|bound| if rng.random::<bool>() { bound } else { -bound });
         if let Self::Vertex(number) = self {
-            held = std::array::from_fn(|component| if number >> component & 1 == 1 { inner[component] } else { -inner[component] });
+            held = std::array::from_fn(
+                |component| if number >> component & 1 == 1 { inner[component] } else { -inner[component] },
+            );
         }
         let mut draw = || {
             let noise = match self {

@@ -84,8 +84,22 @@ pub const SETTINGS: [Setting; 9] = [
     setting("2pi/10;.01,.1,.1", FAST, [0.01, 0.1, 0.1], UNIFORM, ONE, ([1.47, 0.119, 0.115], 0.071, [4.2, 4.1])),
     setting("2pi/10;.001,.02,.1", FAST, [0.001, 0.02, 0.1], UNIFORM, ONE, ([1.31, 0.025, 0.022], 0.011, [0.91, 0.95])),
     setting("pi/25;.001,.02,.1", SLOW, [0.001, 0.02, 0.1], UNIFORM, ONE, ([0.204, 0.025, 0.022], 0.013, [3.42, 2.63])),
-    setting("2pi/10;.001,.02,.1;const", FAST, [0.001, 0.02, 0.1], CONSTANT, ONE, ([1.33, 0.030, 0.027], 0.016, [1.08, 1.08])),
-    setting("2pi/10;.001,.02,.1;s=1.2", FAST, [0.001, 0.02, 0.1], UNIFORM, LARGE, ([1.09, 0.024, 0.021], 0.013, [0.98, 1.03])),
+    setting(
+        "2pi/10;.001,.02,.1;const",
+        FAST,
+        [0.001, 0.02, 0.1],
+        CONSTANT,
+        ONE,
+        ([1.33, 0.030, 0.027], 0.016, [1.08, 1.08]),
+    ),
+    setting(
+        "2pi/10;.001,.02,.1;s=1.2",
+        FAST,
+        [0.001, 0.02, 0.1],
+        UNIFORM,
+        LARGE,
+        ([1.09, 0.024, 0.021], 0.013, [0.98, 1.03]),
+    ),
 ];
 
 /// Index in [`SETTINGS`] of the setting with the sharpest sensors on the fast circle.
