@@ -135,11 +135,14 @@ pub fn robot(logs: &[RobotLog]) -> Figure {
 pub const ROBOT_CAPTION: &str =
     "Robot logs 2 and 3: widths of the bounds over time, first draw of the position noise. A fix a second.";
 
+/// Title, label and value.
+type Width = (&'static str, &'static str, fn(&LeverStep) -> f64);
+
 /// Label, look and run.
 type Drawn<'a> = (String, Look, &'a LeverRun);
 
 fn widths(figure: Figure, courses: &[Drawn<'_>], period_s: f64) -> Figure {
-    let panels: [(&str, &str, fn(&LeverStep) -> f64); 4] = [
+    let panels: [Width; 4] = [
         ("heading", "width [rad]", |step| step.heading_rad),
         ("wheel scale", "width", |step| step.scale.width()),
         ("arm, forward", "width [m]", |step| step.arm_m[0].width()),
