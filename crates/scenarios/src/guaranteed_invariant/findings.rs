@@ -177,7 +177,12 @@ fn robot_cell(log: &RobotLog, cell: &RobotCell) -> String {
             (Some(first), Some(last)) => format!("in {} of {runs} runs, at second {first} to {last}", seconds.len()),
             _ => "in no run".to_owned(),
         };
-        return format!("{head}: bounds proven wrong {}; reference proven outside {}.", at(&proofs), at(&lost));
+        let first = cell.runs.iter().find_map(|run| run.contradiction.map(|second| (second, &run.culprits)));
+        let named = first.map_or_else(String::new, |(second, culprits)| {
+            let named: Vec<String> = culprits.iter().map(ToString::to_string).collect();
+            format!(" The first proof, at second {second}, names: {}.", named.join(", "))
+        });
+        return format!("{head}: bounds proven wrong {}; reference proven outside {}.{named}", at(&proofs), at(&lost));
     }
     let ends: Vec<_> = cell.runs.iter().filter_map(|run| run.steps.last()).collect();
     let mean = |of: &dyn Fn(&crate::guaranteed_invariant::lever_run::LeverStep) -> f64| {

@@ -1,7 +1,7 @@
 //! The filter of strips on Problem 3: widths of heading, scale and arm at every fix, containment, contradictions.
 
 use estimators::{
-    Estimator, EstimatorError, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions,
+    Culprit, Estimator, EstimatorError, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions,
 };
 use scalars::Interval;
 use setrep::Membership;
@@ -37,6 +37,8 @@ pub struct LeverRun {
     pub steps: Vec<LeverStep>,
     /// Index of the state whose fix is proven to contradict the bounds.
     pub contradiction: Option<usize>,
+    /// What takes part in that contradiction.
+    pub culprits: Vec<Culprit>,
     /// Largest number of rows.
     pub most_rows: usize,
 }
@@ -51,7 +53,12 @@ impl LeverRun {
         let scale = Interval::point(SCALE_PRIOR[0]).hull(Interval::point(SCALE_PRIOR[1]));
         let prior = PlanarBox::scale_and_lever_arm(Interval::ENTIRE, scale, first, [within(ARM_PRIOR_M); 2]);
         let mut filter = InvariantStrips::new(&prior, StripsOptions::calibration())?;
-        let mut run = Self { steps: Vec::with_capacity(truth.fixes.len()), contradiction: None, most_rows: 0 };
+        let mut run = Self {
+            steps: Vec::with_capacity(truth.fixes.len()),
+            contradiction: None,
+            culprits: Vec::new(),
+            most_rows: 0,
+        };
         let mut moved = 0;
         for &(state, fix) in &truth.fixes {
             for increment in &truth.increments[moved..state] {
@@ -64,8 +71,9 @@ impl LeverRun {
             }
             moved = state;
             match filter.update(&[PlanarMeasurement::position(fix, [within(bounds.fix_m); 2]).with_unknown_arm(0)]) {
-                Err(EstimatorError::Inconsistent(_)) => {
+                Err(EstimatorError::Inconsistent(proof)) => {
                     run.contradiction = Some(state);
+                    run.culprits = proof.culprits;
                     return Ok(run);
                 }
                 other => other?,
