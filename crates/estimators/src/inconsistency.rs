@@ -3,7 +3,7 @@
 use std::fmt;
 
 use scalars::Interval;
-use setrep::{ConstrainedZonotope, Contradiction};
+use setrep::{ConstrainedZonotope, Contradiction, RowContradiction};
 
 use crate::set_filter::Stacked;
 use crate::{Guarantee, System};
@@ -19,6 +19,13 @@ pub enum Culprit {
     Invariant(usize),
     /// One of the strips that a filter was told contain every state.
     Feasible(usize),
+    /// An entry of the measurements of an earlier step, by a filter that keeps them.
+    Earlier {
+        /// Number of predictions before the measurement.
+        step: u64,
+        /// The entry.
+        entry: usize,
+    },
     /// The set before the update: the model, its noise bounds and all that was measured before.
     Prediction,
 }
@@ -29,6 +36,7 @@ impl fmt::Display for Culprit {
             Self::Measurement(index) => write!(f, "measurement {index}"),
             Self::Invariant(index) => write!(f, "invariant {index}"),
             Self::Feasible(index) => write!(f, "feasible strip {index}"),
+            Self::Earlier { step, entry } => write!(f, "measurement {entry} of step {step}"),
             Self::Prediction => f.write_str("prediction"),
         }
     }
@@ -63,6 +71,11 @@ pub enum Evidence {
         required: Vec<Interval>,
         /// The parameters of the measurement.
         parameters: Vec<Interval>,
+    },
+    /// Rows without a common point, among them past measurements; the proof carries them.
+    HalfSpaces {
+        /// Rows and multipliers.
+        proof: Box<RowContradiction>,
     },
     /// Multipliers of the constraints of a set that prove it empty; [`Contradiction::verify`] checks them again.
     Rows {
@@ -101,6 +114,7 @@ impl Inconsistency {
                 (required.lo() - predicted.hi()).max(predicted.lo() - required.hi())
             }
             Evidence::Propagation { .. } | Evidence::Values { .. } => 0.0,
+            Evidence::HalfSpaces { proof } => proof.miss(),
             Evidence::Rows { set, certificate } => certificate.miss(set),
         }
     }
@@ -119,6 +133,7 @@ impl Inconsistency {
                 !predicted.is_empty() && !required.is_empty() && predicted.disjoint(required)
             }
             Evidence::Propagation { .. } | Evidence::Values { .. } => false,
+            Evidence::HalfSpaces { proof } => proof.verify(),
             Evidence::Rows { set, certificate } => certificate.verify(set),
         }
     }

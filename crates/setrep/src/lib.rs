@@ -65,7 +65,9 @@ pub use ops::membership::{FACET_LIMIT, Membership};
 pub use ops::strip::{StripCut, StripRule};
 pub use ops::volume::MINOR_LIMIT;
 pub use plot::{Mesh, Outline};
-pub use polytope::{ChebyshevBall, Feasibility, HPolytope, MAX_FACES, PolytopeOptimizer, VPolytope};
+pub use polytope::{
+    BoxedRows, ChebyshevBall, Feasibility, HPolytope, MAX_FACES, PolytopeOptimizer, RowContradiction, VPolytope,
+};
 pub use reduce::Reduction;
 pub use strip::{HalfSpace, Strip};
 pub use support_function::SupportFunction;

@@ -114,12 +114,6 @@ impl PlanarBox {
         check_bounded("vectors of the world", self.fixed.as_flattened())?;
         check_bounded("vectors of the body", self.body.as_flattened())
     }
-
-    /// `Ok` if `other` has as many vectors.
-    pub(super) fn check_same_group(&self, other: &Self) -> Result<(), EstimatorError> {
-        crate::error::check_size("vectors of the world", self.fixed.len(), other.fixed.len())?;
-        crate::error::check_size("vectors of the body", self.body.len(), other.body.len())
-    }
 }
 
 /// `Ok` if all sides are nonempty and bounded.

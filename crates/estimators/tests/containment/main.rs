@@ -7,4 +7,5 @@ mod support;
 
 mod hulls;
 mod linear;
+mod strips;
 mod vehicle;

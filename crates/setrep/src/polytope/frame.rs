@@ -73,7 +73,7 @@ impl Frame {
 }
 
 /// The least power of two not below `x`, which is not negative, and not below `2^-1000`; infinite where it overflows.
-fn power_of_two_above(x: f64) -> f64 {
+pub(super) fn power_of_two_above(x: f64) -> f64 {
     let clamped = x.max(2f64.powi(-1000));
     let floor = power_of_two_below(clamped);
     if floor < clamped { 2.0 * floor } else { floor }

@@ -24,7 +24,7 @@
 //!
 //! What needs no vertices goes through linear programs instead, one for each question, certified by weak duality and made for a
 //! thousand rows: supports ([`HPolytope::optimizer`]), [`HPolytope::bounding_box`], [`HPolytope::chebyshev_ball`],
-//! [`HPolytope::drop_redundant`], [`HPolytope::enclosing`].
+//! [`HPolytope::drop_redundant`], [`HPolytope::enclosing`]. Rows that come and go inside a known box are [`BoxedRows`].
 //!
 //! Cost: the exact arithmetic is needed for degenerate inputs (more than `n` facets at a vertex, or points on a common facet) and
 //! for those within rounding of it; the filter decides the rest. Rounding makes degenerate inputs *nearly* degenerate: a
@@ -37,6 +37,7 @@ mod absorb;
 mod around;
 mod bounded;
 mod bounding_box;
+mod boxed_rows;
 mod chebyshev;
 mod clip;
 mod cone;
@@ -54,6 +55,7 @@ mod planar;
 mod product;
 mod rays;
 mod redundancy;
+mod row_contradiction;
 mod rows;
 mod solve;
 mod table;
@@ -65,10 +67,12 @@ mod waiting;
 mod walk;
 mod weighted_cut;
 
+pub use boxed_rows::BoxedRows;
 pub use chebyshev::ChebyshevBall;
 pub use feasibility::Feasibility;
 pub use h_polytope::HPolytope;
 pub use optimizer::PolytopeOptimizer;
+pub use row_contradiction::RowContradiction;
 pub use v_polytope::VPolytope;
 
 /// Most vertices or facets that a conversion without an explicit limit keeps at any stage.

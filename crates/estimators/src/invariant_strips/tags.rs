@@ -1,0 +1,81 @@
+//! What is known of each row beside its numbers, and which rows are kept.
+
+use super::options::StripsOptions;
+
+/// Where a row comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// Entry `entry` (two for a measurement) of the measurements of a step.
+    Measured { step: u64, entry: usize },
+    /// A bound of the set at some instant, which rests on all rows of that time; or the prior.
+    Bound,
+    /// The arc, the scale or the arms of this moment.
+    Derived,
+}
+
+/// The companion of a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Tag {
+    pub(super) origin: Origin,
+    /// Rows of one class have the same direction in the coordinates of their time.
+    pub(super) class: usize,
+    /// Instant at which the row was made.
+    pub(super) born: u64,
+    /// Last instant at which it carried a bound.
+    pub(super) used: u64,
+}
+
+/// The row of a class and bucket with the least slack.
+#[derive(Debug, Clone, Copy)]
+struct Least {
+    slack: f64,
+    row: usize,
+}
+
+/// Scratch of the choice.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Pruning {
+    least: Vec<Least>,
+    /// The rows to keep.
+    pub(super) keep: Vec<bool>,
+}
+
+impl Pruning {
+    /// Marks the rows to keep: `slack(i)` is the distance of row `i` from the middle of the set, in units of its class.
+    ///
+    /// A row stays while it is young enough and was used at this instant, belongs to the bucket of this instant, or has the least slack of
+    /// its class and bucket (the oldest of equal ones). Any choice is sound.
+    pub(super) fn choose(
+        &mut self,
+        tags: &[Tag],
+        instant: u64,
+        options: &StripsOptions,
+        mut slack: impl FnMut(usize) -> f64,
+    ) {
+        let life = |tag: &Tag| if tag.origin == Origin::Bound { options.support_life } else { options.memory };
+        let young = |tag: &Tag| tag.origin != Origin::Derived && instant - tag.born <= life(tag) as u64;
+        self.keep.clear();
+        if options.bucket == 0 {
+            self.keep.extend(tags.iter().map(young));
+            return;
+        }
+        let bucket = (instant / 8).clamp(2, (options.bucket as u64).max(2));
+        let newest = instant / bucket;
+        let classes = tags.iter().map(|tag| tag.class + 1).max().unwrap_or(0);
+        let buckets = options.memory.max(options.support_life) / bucket as usize + 2;
+        self.least.clear();
+        self.least.resize(classes * buckets, Least { slack: f64::INFINITY, row: usize::MAX });
+        for (row, tag) in tags.iter().enumerate().filter(|(_, tag)| young(tag)) {
+            let age = (newest - tag.born / bucket) as usize;
+            let least = &mut self.least[tag.class * buckets + age.min(buckets - 1)];
+            let slack = slack(row);
+            if slack < least.slack {
+                *least = Least { slack, row };
+            }
+        }
+        self.keep.extend(tags.iter().map(|tag| young(tag) && (tag.used == instant || tag.born / bucket == newest)));
+        for least in self.least.iter().filter(|least| least.row < tags.len()) {
+            self.keep[least.row] = true;
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Prediction: how a step of the odometry moves the coordinates of the embedding and each row.
+//!
+//! With `theta_hat` the sum of the turns, `z = s e^{i phi}`, `phi = theta - theta_hat`, `xi = e^{i phi} X`, and the alpha of the step
+//! including whatever rounding did to `theta_hat`,
+//!
+//! ```text
+//! z+ = e^{i alpha} z,   x+ = x + e^{i theta_hat} z (U + m),   xi+ = e^{i alpha} xi
+//! ```
+//!
+//! The rows are kept in the coordinates `q = x - S z`, where `S`, a number, follows the path: `S+ = S + e^{i theta_hat} U`. So
+//! `q+ = q + e^{i theta_hat} z m + S+ z (1 - e^{i alpha}) + eps z` with `eps = S + e^{i theta_hat} U - S+` of rounding size, and
+//! `<a, z> + <d, q> + <k, xi> <= h` becomes the same row with
+//!
+//! ```text
+//! h+ = h + sup { <a', z (e^{i alpha} - 1)> + <k, xi (e^{i alpha} - 1)> } + sup { <d, e^{i theta_hat} z m> } + |d| |eps| s2,   a' = a - conj(S+) d
+//! ```
+//!
+//! because `<d, S z> = <conj(S) d, z>`. Nothing else changes: transport costs no error at all. The suprema:
+//! `z (e^{i alpha} - 1) = s 2 sin(alpha/2) i e^{i (phi + alpha/2)}` with `2 |sin(alpha/2)| <= |alpha|`, and
+//! `m = e^{i rho} e^{i alpha/2} sinc(alpha/2) n` with `0 <= sinc <= 1` (`rho` the turn; `m = n` for additive noise): both are [`Sweep`]s.
+
+use scalars::Interval;
+use scalars::rounding::{ETA, UNIT_ROUNDOFF, add_up, mul_up};
+
+use super::arc::Arc;
+use super::increment::PlanarIncrement;
+use super::plane::{
+    Region, Vector, largest_modulus, modulus_up, middle, norm1, point, product, radius, sum, unit,
+};
+use super::sweep::Sweep;
+use super::InvariantStrips;
+use super::planar_box::check_bounded;
+use crate::EstimatorError;
+use crate::error::check_finite;
+
+/// The rounding of a sum of some dozen products, relative.
+const SLACK: f64 = 1.0 + 1e-13;
+
+/// What a step adds to the rows by the noise of one vector of the world.
+#[derive(Debug, Clone, Copy)]
+struct Drift {
+    noise: Sweep,
+    /// Radius of a disc that is added, rounding included.
+    disc: f64,
+}
+
+/// The constants of one step, reused by all rows.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Motion {
+    drifts: Vec<Drift>,
+    path: Vec<Vector>,
+    fixed: Vec<Region>,
+    turned: Vec<Region>,
+    /// Room for the coordinates to drift.
+    drift: Vec<f64>,
+    reach: Vec<Region>,
+}
+
+impl Motion {
+    pub(super) fn new(fixed: usize, body: usize) -> Self {
+        let region = [Interval::ZERO; 2];
+        Self {
+            drifts: Vec::with_capacity(fixed),
+            path: vec![[0.0; 2]; fixed],
+            fixed: vec![region; fixed],
+            turned: vec![region; body],
+            drift: vec![0.0; fixed],
+            reach: vec![region; fixed],
+        }
+    }
+}
+
+impl InvariantStrips {
+    /// Moves the set by a step whose input has been checked; nothing changes on an error.
+    pub(super) fn transport(&mut self, input: &PlanarIncrement) -> Result<(), EstimatorError> {
+        let turn = input.turn + input.turn_noise;
+        let reference = self.reference + turn.mid();
+        check_finite("turn", &[reference])?;
+        let alpha = turn - (Interval::point(reference) - Interval::point(self.reference));
+        let most = alpha.mag();
+        let arc = self.arc.widened(most);
+        let scale = self.enclosure.scale;
+        let farthest = scale.hi();
+
+        let motion = &mut self.motion;
+        motion.drifts.clear();
+        let heading = unit(Interval::point(self.reference));
+        // The phase of the noise, apart from the heading.
+        let phase = if input.exponential { input.turn + input.turn_noise.scale(0.5) } else { Interval::ZERO };
+        let noise_angles = Interval::point(self.reference) + self.arc.angles() + phase;
+        let headings = Interval::point(self.reference) + self.arc.angles();
+        let facing = unit(headings);
+        for (j, path) in self.path.iter().enumerate() {
+            let shift = input.of_vector(j);
+            // The middle of the noise is a part of the shift; of V(i alpha) - 1 at most |alpha| / 2 is left.
+            let center = point(middle(&shift.noise));
+            let (offset, lost) = if input.exponential {
+                let lost = mul_up(0.5 * input.turn_noise.mag(), largest_modulus(&center));
+                (product(&unit(input.turn), &center), lost)
+            } else {
+                (center, 0.0)
+            };
+            let moved = sum(&shift.shift, &offset);
+            let stretch = product(&heading, &moved);
+            let next = sum(&point(*path), &stretch);
+            let path_next = middle(&next);
+            let missed = radius(&next);
+            let [along, across] = [shift.noise[0].rad(), shift.noise[1].rad()];
+            let noise = Sweep::new(noise_angles, &[[along, across], [along, -across]]);
+            let disc = add_up(lost, missed);
+            motion.drifts.push(Drift { noise, disc });
+            motion.path[j] = path_next;
+
+            // The hull of the vector, in the world.
+            let spread = |d: Vector| mul_up(farthest, add_up(noise.sup_abs(d), lost) * SLACK);
+            let step = product(&facing, &moved);
+            motion.fixed[j] = [
+                (self.enclosure.fixed[j][0] + scale * step[0]).inflate(spread([1.0, 0.0])),
+                (self.enclosure.fixed[j][1] + scale * step[1]).inflate(spread([0.0, 1.0])),
+            ];
+            // The reach of q.
+            let wander = add_up(disc, add_up(modulus_up([along, across]), mul_up(
+                modulus_up(path_next), most)));
+            let growth = mul_up(farthest, wander);
+            motion.reach[j] = self.reach[j].map(|side| side.inflate(growth));
+            // Room for 128 steps like this one, the path growing to 64 of them on average.
+            let turned_by_then = 64.0 * most * modulus_up(middle(&moved));
+            motion.drift[j] = 128.0 * farthest * (modulus_up([along, across]) + turned_by_then);
+            check_finite("path", &path_next)?;
+            check_bounded("position", &motion.fixed[j])?;
+            check_bounded("position", &motion.reach[j])?;
+            check_finite("drift", &[motion.drift[j]])?;
+        }
+        for (next, now) in motion.turned.iter_mut().zip(&self.turned) {
+            let slip = mul_up(most, largest_modulus(now));
+            *next = now.map(|side| side.inflate(slip));
+        }
+
+        // No error from here on.
+        let swing = Sweep::new(self.arc.angles().inflate(0.5 * most), &[[0.0, 1.0]]);
+        let half = 0.5 * most;
+        self.move_rows(&swing, most, half);
+        core::mem::swap(&mut self.path, &mut self.motion.path);
+        core::mem::swap(&mut self.enclosure.fixed, &mut self.motion.fixed);
+        core::mem::swap(&mut self.turned, &mut self.motion.turned);
+        core::mem::swap(&mut self.drift, &mut self.motion.drift);
+        core::mem::swap(&mut self.reach, &mut self.motion.reach);
+        self.reference = reference;
+        self.arc = arc;
+        self.enclosure.heading_rad = self.heading();
+        self.step += 1;
+        Ok(())
+    }
+
+    /// Adds to every row what the noise of the step can take from it.
+    fn move_rows(&mut self, swing: &Sweep, most: f64, half: f64) {
+        let Self { rows, motion, embedding, enclosure, turned, axis, .. } = self;
+        let (nearest, farthest) = (enclosure.scale.lo(), enclosure.scale.hi());
+        for i in 0..rows.len() {
+            let normal = rows.normal(i);
+            let mut lever: Vector = [normal[0], normal[1]];
+            let mut size = norm1(lever);
+            let mut drift = 0.0;
+            for (j, (path, moved)) in motion.path.iter().zip(&motion.drifts).enumerate() {
+                let column = embedding.fixed(j);
+                let d: Vector = [normal[column], normal[column + 1]];
+                if d == [0.0, 0.0] {
+                    continue;
+                }
+                lever[0] -= path[0] * d[0] + path[1] * d[1];
+                lever[1] -= path[0] * d[1] - path[1] * d[0];
+                size += norm1(*path) * norm1(d);
+                drift += moved.noise.sup_abs(d) + moved.disc * norm1(d);
+            }
+            let mut low = -swing.sup([-lever[0], -lever[1]]);
+            low *= if low < 0.0 { farthest } else { nearest };
+            let mut high = swing.sup(lever);
+            high *= if high > 0.0 { farthest } else { nearest };
+            let mut pad = size * farthest;
+            for (l, sides) in turned.iter().enumerate() {
+                let column = embedding.body(l);
+                let k: Vector = [normal[column], normal[column + 1]];
+                if k == [0.0, 0.0] {
+                    continue;
+                }
+                // <k, i e^{i alpha/2} xi> with xi = axis (A_1 + i A_2), turned by at most half.
+                let g: Vector = [axis[0] * k[1] - axis[1] * k[0], -(axis[0] * k[0] + axis[1] * k[1])];
+                let extent = sides[0].mag() + sides[1].mag();
+                let center = g[0] * sides[0].mid() + g[1] * sides[1].mid();
+                let spread = g[0].abs() * sides[0].rad() + g[1].abs() * sides[1].rad() + half * extent * norm1(k);
+                low += center - spread;
+                high += center + spread;
+                pad += norm1(k) * extent;
+            }
+            let turning = most * (high.max(-low).max(0.0) + 64.0 * UNIT_ROUNDOFF * pad);
+            let growth = (turning + farthest * drift) * SLACK + 1e3 * ETA;
+            rows.raise(i, growth);
+        }
+    }
+
+    /// The heading in the world.
+    pub(super) fn heading(&self) -> Interval {
+        if self.arc.is_whole() {
+            return Arc::whole().angles();
+        }
+        Interval::point(self.reference) + self.arc.angles()
+    }
+}

@@ -1,0 +1,346 @@
+//! Half-spaces kept over time inside a known box, one linear program after another.
+
+use boxlp::{Problem, Solver, Status};
+use scalars::Interval;
+use scalars::rounding::{ETA, add_down, add_up, sub_up};
+
+use super::HPolytope;
+use super::frame::Frame;
+use super::row_contradiction::RowContradiction;
+use super::solve::dot_upper;
+use crate::constrained_zonotope::refused;
+use crate::support_function::check_direction;
+use crate::{Matrix, Part, SetError};
+
+/// The set `{ x in B : a_i'x <= h_i }` of rows that come and go, with its box `B` known beforehand.
+///
+/// Where [`HPolytope::optimizer`] first computes a bounding box, here it is given, and the solver keeps its basis while rows are
+/// appended, dropped or moved. Supports come from the bound of weak duality, so no rounding of the solver brings them below the exact
+/// maximum. Nothing is allocated in steady state.
+///
+/// ```
+/// # use scalars::Interval;
+/// # use setrep::BoxedRows;
+/// let side = Interval::new(-10.0, 10.0)?;
+/// let mut rows = BoxedRows::new(&[side, side])?;
+/// let first = rows.push(&[1.0, 1.0], 1.0)?;
+/// rows.push(&[-1.0, 1.0], 1.0)?;
+/// assert!((1.0..1.0 + 1e-13).contains(&rows.support(&[0.0, 1.0])?));
+/// rows.set_offset(first, 3.0)?;
+/// assert!((2.0..2.0 + 1e-13).contains(&rows.support(&[0.0, 1.0])?));
+/// rows.retain(|row| row != first);
+/// assert!((10.0..11.0 + 1e-13).contains(&rows.support(&[0.0, 1.0])?));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct BoxedRows {
+    frame: Frame,
+    /// Minus the center of the frame.
+    opposite: Vec<f64>,
+    /// Row by row.
+    normals: Vec<f64>,
+    offsets: Vec<f64>,
+    /// Upper bounds of `h_i(frame) - h_i`.
+    shifts: Vec<f64>,
+    solver: Solver,
+    /// Offsets have changed since the solver saw them.
+    moved: bool,
+    active: Vec<(usize, f64)>,
+    contradiction: Option<RowContradiction>,
+    scaled: Vec<f64>,
+    keep: Vec<bool>,
+}
+
+impl BoxedRows {
+    /// The box itself, without rows. Sides without width are fine.
+    ///
+    /// **Guarantee:** the box in use holds `sides`; its sides are up to twice as long.
+    ///
+    /// # Errors
+    /// [`SetError::ZeroDimension`]; [`SetError::UnboundedInterval`] for an empty or unbounded side; [`SetError::Overflow`].
+    pub fn new(sides: &[Interval]) -> Result<Self, SetError> {
+        let frame = frame_of(sides)?;
+        let solver = Solver::new(Problem::new(sides.len()).map_err(refused)?);
+        Ok(Self {
+            opposite: frame.center.iter().map(|c| -c).collect(),
+            frame,
+            normals: Vec::new(),
+            offsets: Vec::new(),
+            shifts: Vec::new(),
+            solver,
+            moved: false,
+            active: Vec::new(),
+            contradiction: None,
+            scaled: Vec::new(),
+            keep: Vec::new(),
+        })
+    }
+
+    /// Dimension `n` of the space.
+    #[must_use]
+    pub fn dim(&self) -> usize {
+        self.opposite.len()
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.offsets.len()
+    }
+
+    /// Whether there is no row.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.offsets.is_empty()
+    }
+
+    /// `a_i`.
+    ///
+    /// # Panics
+    /// If there is no row `i`, as indexing a slice does.
+    #[must_use]
+    pub fn normal(&self, i: usize) -> &[f64] {
+        let n = self.dim();
+        &self.normals[i * n..(i + 1) * n]
+    }
+
+    /// All `h_i`.
+    #[must_use]
+    pub fn offsets(&self) -> &[f64] {
+        &self.offsets
+    }
+
+    /// Side `j` of the box in use, rounded outward.
+    ///
+    /// # Panics
+    /// If there is no side `j`, as indexing a slice does.
+    #[must_use]
+    pub fn side(&self, j: usize) -> Interval {
+        Interval::point(self.frame.center[j]).inflate(self.frame.scales[j])
+    }
+
+    /// Whether `values` lie within side `j` of the box in use.
+    ///
+    /// # Panics
+    /// If there is no side `j`, as indexing a slice does.
+    #[must_use]
+    pub fn holds(&self, j: usize, values: &Interval) -> bool {
+        let (c, s) = (self.frame.center[j], self.frame.scales[j]);
+        sub_up(c, s) <= values.lo() && values.hi() <= add_down(c, s)
+    }
+
+    /// Appends the row `a'x <= h` and returns its index; `h = inf` says nothing.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`], [`SetError::NonFinite`], [`SetError::Overflow`]; nothing changes then.
+    pub fn push(&mut self, normal: &[f64], offset: f64) -> Result<usize, SetError> {
+        SetError::check_size(Part::Normals, self.dim(), normal.len())?;
+        SetError::check_finite(Part::Normals, 1, normal)?;
+        check_offset(offset)?;
+        self.load(normal, offset)?;
+        self.normals.extend_from_slice(normal);
+        self.offsets.push(offset);
+        Ok(self.offsets.len() - 1)
+    }
+
+    /// Replaces `h_i`, keeping the basis.
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`] if there is no row `i`; [`SetError::NonFinite`]. Nothing changes then.
+    pub fn set_offset(&mut self, i: usize, offset: f64) -> Result<(), SetError> {
+        check_offset(offset)?;
+        let rows = self.offsets.len();
+        let Some(h) = self.offsets.get_mut(i) else {
+            return Err(SetError::Dimension { part: Part::Offsets, expected: rows, found: i });
+        };
+        *h = offset;
+        self.moved = true;
+        Ok(())
+    }
+
+    /// Adds to `h_i`, rounded up; NaN makes it infinite.
+    ///
+    /// # Panics
+    /// If there is no row `i`, as indexing a slice does.
+    pub fn raise(&mut self, i: usize, by: f64) {
+        self.offsets[i] = add_up(self.offsets[i], by).max(f64::MIN);
+        self.moved = true;
+    }
+
+    /// Keeps the rows for whose index `keep` says `true`, in their order.
+    pub fn retain(&mut self, mut keep: impl FnMut(usize) -> bool) {
+        let n = self.dim();
+        self.keep.clear();
+        self.keep.extend((0..self.offsets.len()).map(&mut keep));
+        if self.keep.iter().all(|&kept| kept) {
+            return;
+        }
+        self.solver.retain_rows(|i| self.keep[i]);
+        let mut kept = 0;
+        for i in 0..self.keep.len() {
+            if self.keep[i] {
+                self.normals.copy_within(i * n..(i + 1) * n, kept * n);
+                self.offsets[kept] = self.offsets[i];
+                self.shifts[kept] = self.shifts[i];
+                kept += 1;
+            }
+        }
+        self.normals.truncate(kept * n);
+        self.offsets.truncate(kept);
+        self.shifts.truncate(kept);
+    }
+
+    /// Takes another box around the set, after `rewrite(i, a_i, h_i)` has replaced each row; the basis is lost.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new) and [`push`](Self::push); the rows are then lost as well.
+    pub fn reframe(
+        &mut self,
+        sides: &[Interval],
+        mut rewrite: impl FnMut(usize, &mut [f64], &mut f64),
+    ) -> Result<(), SetError> {
+        let n = self.dim();
+        SetError::check_size(Part::Interval, n, sides.len())?;
+        self.frame.assign_around(sides)?;
+        self.opposite.iter_mut().zip(&self.frame.center).for_each(|(o, c)| *o = -c);
+        self.solver.truncate_rows(0);
+        self.shifts.clear();
+        let (mut normals, mut offsets) = (core::mem::take(&mut self.normals), core::mem::take(&mut self.offsets));
+        let mut rows = normals.chunks_exact_mut(n).zip(&mut offsets).enumerate();
+        let loaded = rows.try_for_each(|(i, (normal, offset))| {
+            rewrite(i, normal, offset);
+            SetError::check_finite(Part::Normals, 1, normal)?;
+            check_offset(*offset)?;
+            self.load(normal, *offset)
+        });
+        if loaded.is_err() {
+            self.solver.truncate_rows(0);
+            self.shifts.clear();
+            return loaded;
+        }
+        (self.normals, self.offsets) = (normals, offsets);
+        Ok(())
+    }
+
+    /// Support function `max { d'x : x in B, a_i'x <= h_i }`, shape `d: n`.
+    ///
+    /// **Guarantee:** an upper bound of the exact value; `-inf` only if the rows are proven to contradict each other, see
+    /// [`contradiction`](Self::contradiction).
+    ///
+    /// # Errors
+    /// [`SetError::Dimension`], [`SetError::NonFinite`] in the direction.
+    pub fn support(&mut self, direction: &[f64]) -> Result<f64, SetError> {
+        check_direction(self.dim(), direction, None)?;
+        self.synchronize()?;
+        let Frame { center, scales } = &self.frame;
+        self.scaled.clear();
+        self.scaled.extend(direction.iter().zip(scales).map(|(d, s)| d * s));
+        self.active.clear();
+        // Of the right length, an objective is refused only if it overflows.
+        let Ok(solution) = self.solver.maximize(&self.scaled) else { return Ok(f64::INFINITY) };
+        self.active.extend_from_slice(solution.multipliers);
+        let inner = if solution.status == Status::Empty {
+            let proof = RowContradiction::new(self, &self.active);
+            if proof.verify() {
+                self.contradiction = Some(proof);
+                return Ok(f64::NEG_INFINITY);
+            }
+            // Not confirmed: the bound of the box alone.
+            scalars::rounding::sum_up(self.scaled.iter().map(|c| c.abs()))
+        } else {
+            solution.bound
+        };
+        let lost = self.frame.underflow(direction.iter().copied());
+        let inner = if lost == 0.0 { inner } else { add_up(inner, lost) };
+        let value = add_up(dot_upper(direction, center), inner);
+        Ok(if value.is_nan() { f64::INFINITY } else { value })
+    }
+
+    /// The rows that carry the last [`support`](Self::support), each with its multiplier; none if the box does.
+    #[must_use]
+    pub fn active(&self) -> &[(usize, f64)] {
+        &self.active
+    }
+
+    /// The proof of the last support that was `-inf`.
+    #[must_use]
+    pub fn contradiction(&self) -> Option<&RowContradiction> {
+        self.contradiction.as_ref()
+    }
+
+    /// The rows and the sides of the box.
+    ///
+    /// # Errors
+    /// [`SetError::NonFinite`] for a row whose offset is infinite.
+    pub fn to_polytope(&self) -> Result<HPolytope, SetError> {
+        let (n, m) = (self.dim(), self.len());
+        let mut normals = Matrix::zeros(m, n);
+        for i in 0..m {
+            for j in 0..n {
+                normals[(i, j)] = self.normals[i * n + j];
+            }
+        }
+        let sides: Vec<Interval> = (0..n).map(|j| self.side(j)).collect();
+        HPolytope::new(normals, &self.offsets)?.intersection(&HPolytope::from_intervals(&sides)?)
+    }
+
+    /// Appends a row to the solver, in coordinates of the frame.
+    fn load(&mut self, normal: &[f64], offset: f64) -> Result<(), SetError> {
+        let lost = self.frame.underflow(normal.iter().copied());
+        let shift = add_up(dot_upper(normal, &self.opposite), lost);
+        self.scaled.clear();
+        self.scaled.extend(normal.iter().zip(&self.frame.scales).map(|(a, s)| a * s));
+        self.solver.push_row(&self.scaled, f64::NEG_INFINITY, moved_up(offset, shift)).map_err(refused)?;
+        self.shifts.push(shift);
+        Ok(())
+    }
+
+    fn synchronize(&mut self) -> Result<(), SetError> {
+        if self.moved {
+            for (i, (&offset, &shift)) in self.offsets.iter().zip(&self.shifts).enumerate() {
+                self.solver.set_range(i, f64::NEG_INFINITY, moved_up(offset, shift)).map_err(refused)?;
+            }
+            self.moved = false;
+        }
+        Ok(())
+    }
+}
+
+/// `offset + shift` rounded up, and a number the solver takes: a bound below all numbers is one below all sums of a row.
+fn moved_up(offset: f64, shift: f64) -> f64 {
+    add_up(offset, shift).max(f64::MIN)
+}
+
+fn check_offset(offset: f64) -> Result<(), SetError> {
+    if offset.is_nan() || offset == f64::NEG_INFINITY {
+        return Err(SetError::NonFinite { part: Part::Offsets, row: 0, col: 0, value: offset });
+    }
+    Ok(())
+}
+
+fn frame_of(sides: &[Interval]) -> Result<Frame, SetError> {
+    if sides.is_empty() {
+        return Err(SetError::ZeroDimension { part: Part::Interval });
+    }
+    let mut frame = Frame { center: Vec::new(), scales: Vec::new() };
+    frame.assign_around(sides)?;
+    Ok(frame)
+}
+
+impl Frame {
+    /// [`around`](Self::around) with margin 1 into the memory of this frame, after a check of the sides.
+    fn assign_around(&mut self, sides: &[Interval]) -> Result<(), SetError> {
+        if let Some(row) = sides.iter().position(|side| side.is_empty() || !side.is_bounded()) {
+            return Err(SetError::UnboundedInterval { part: Part::Interval, row, col: 0 });
+        }
+        let scale = |side: &Interval| super::frame::power_of_two_above(side.rad().max(ETA));
+        if let Some(row) = sides.iter().position(|side| !scale(side).is_finite()) {
+            return Err(SetError::Overflow { row });
+        }
+        self.center.clear();
+        self.center.extend(sides.iter().map(Interval::mid));
+        self.scales.clear();
+        self.scales.extend(sides.iter().map(scale));
+        Ok(())
+    }
+}
