@@ -36,6 +36,7 @@ pub fn all() -> Vec<&'static dyn Experiment> {
         &crate::unicycle::UnicycleExperiment,
         &crate::batch_reactor::BatchReactorExperiment,
         &crate::vehicle_polar::VehiclePolarExperiment,
+        &crate::guaranteed_invariant::GuaranteedInvariantExperiment,
     ]
 }
 

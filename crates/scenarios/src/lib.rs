@@ -14,6 +14,7 @@ pub mod data;
 mod error;
 pub mod experiment;
 pub mod figure;
+pub mod guaranteed_invariant;
 pub mod html;
 pub mod images;
 pub mod inzsmf;

@@ -124,13 +124,31 @@ impl Vehicle {
     pub fn simulate<R: Rng>(&self, kind: NoiseKind, steps: usize, rng: &mut R) -> Result<Truth, TruthError> {
         let mut process = BoundedNoise::new(kind, PROCESS_BOUNDS);
         let mut measurement = BoundedNoise::new(kind, OUTPUT_BOUNDS);
+        self.simulate_with(steps, 1.0, || {
+            let output = measurement.draw(rng);
+            (process.draw(rng), output)
+        })
+    }
+
+    /// Simulates `steps` periods from [`INITIAL_POSE`] with noises `(w, v)` from `draw`, in boxes `excess` times those of the paper.
+    ///
+    /// # Errors
+    /// [`TruthError`] if a step or an output cannot be proven to be one of the model with these bounds.
+    pub fn simulate_with(
+        &self,
+        steps: usize,
+        excess: f64,
+        mut draw: impl FnMut() -> ([f64; 3], [f64; 2]),
+    ) -> Result<Truth, TruthError> {
+        let (process_bounds, output_bounds) = (PROCESS_BOUNDS.map(|b| excess * b), OUTPUT_BOUNDS.map(|b| excess * b));
         let mut states = vec![TruePose::new(INITIAL_POSE)];
         let mut outputs = Vec::with_capacity(steps);
         let mut state = TruePose::new(INITIAL_POSE);
         for step in 0..steps {
-            outputs.push(measure(&state, measurement.draw(rng), step)?);
-            let next = self.advance(&state, process.draw(rng));
-            self.prove_step(&state, &next, step)?;
+            let (process, output) = draw();
+            outputs.push(measure(&state, output, output_bounds, step)?);
+            let next = self.advance(&state, process);
+            self.prove_step(&state, &next, process_bounds, step)?;
             states.push(next);
             state = next;
         }
@@ -165,22 +183,22 @@ impl Vehicle {
         Some([turn * rate - self.omega, noise[1] * rate, noise[2] * rate])
     }
 
-    fn prove_step(&self, from: &TruePose, to: &TruePose, step: usize) -> Result<(), TruthError> {
+    fn prove_step(&self, from: &TruePose, to: &TruePose, bounds: [f64; 3], step: usize) -> Result<(), TruthError> {
         let noise = self.noise_between(from, to).unwrap_or([Interval::ENTIRE; 3]);
-        match (0..3).find(|&component| !proven_within(&noise[component], PROCESS_BOUNDS[component])) {
+        match (0..3).find(|&component| !proven_within(&noise[component], bounds[component])) {
             None => Ok(()),
             Some(component) => {
-                let (bound, found) = (PROCESS_BOUNDS[component], noise[component].mag());
+                let (bound, found) = (bounds[component], noise[component].mag());
                 Err(TruthError::ProcessNoise { step, component, bound, found })
             }
         }
     }
 }
 
-/// The output of a state: the position plus noise.
-fn measure(state: &TruePose, noise: [f64; 2], step: usize) -> Result<[f64; 2], TruthError> {
+/// The output of a state: the position plus noise within the bounds.
+fn measure(state: &TruePose, noise: [f64; 2], bounds: [f64; 2], step: usize) -> Result<[f64; 2], TruthError> {
     let component = |component: usize| {
-        let bound = OUTPUT_BOUNDS[component];
+        let bound = bounds[component];
         output_within(&state.position[component].enclosure(), noise[component], bound).ok_or(TruthError::Output {
             step,
             component,

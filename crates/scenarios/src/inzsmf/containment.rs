@@ -164,7 +164,7 @@ pub fn study(context: &Context<'_>, runs: usize, stride: usize) -> Result<Vec<Ta
         for (truth, plan) in truths.into_iter().zip(plan.chunk_by(|a, b| a.0 == b.0)) {
             let truth = truth?;
             for &(_, watched, case) in plan {
-                tallies.push(watch(&truth, &mut *watched.start(TABLE_I[case].pose)?, stride)?);
+                tallies.push(watch_from(&truth, watched, TABLE_I[case].pose, stride)?);
             }
         }
         Ok::<_, ScenarioError>(tallies)
@@ -176,6 +176,14 @@ pub fn study(context: &Context<'_>, runs: usize, stride: usize) -> Result<Vec<Ta
         runs: by_run.iter().map(|run| run[index]).collect(),
     };
     Ok(plan.iter().enumerate().map(tally).collect())
+}
+
+/// Follows one run from an initial estimate, with a first set that contains the initial error.
+///
+/// # Errors
+/// Those of the filter and of the sets.
+pub fn watch_from(truth: &Truth, watched: Watched, initial: Pose, stride: usize) -> Result<RunTally, ScenarioError> {
+    watch(truth, &mut *watched.start(initial)?, stride)
 }
 
 /// Follows one run.

@@ -1,0 +1,110 @@
+//! Study (c): logs of a real robot with unknown scale, arm and heading; bounds that hold, bounds that are guessed, bounds that are too small.
+
+use crate::data::wifibot::load;
+use crate::guaranteed_invariant::lever::Bounds;
+use crate::guaranteed_invariant::lever_run::LeverRun;
+use crate::guaranteed_invariant::robot::{Log, SpeedRule};
+use crate::noise::{BoundedNoise, NoiseKind};
+use crate::wifibot::LOGS;
+use crate::wifibot::odometry::SAFETY;
+use crate::{Context, ScenarioError, monte_carlo};
+
+/// Bounds of the position noises, m.
+pub const FIX_BOUNDS_M: [f64; 2] = [1.0, 0.05];
+/// The arm that is added to the reference, m.
+pub const ARM_M: [f64; 2] = [0.5, 0.3];
+
+/// Where the bounds on the increments come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// 1.2 times the worst of the whole log: hold by construction.
+    WholeLog,
+    /// 1.2 times the worst of the first third: what one would do without knowing the rest.
+    FirstThird,
+    /// Half the worst of the whole log: too small.
+    Halved,
+}
+
+impl Source {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::WholeLog, Self::FirstThird, Self::Halved];
+
+    /// The name in the rows.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::WholeLog => "stated bounds",
+            Self::FirstThird => "bounds of the first third",
+            Self::Halved => "half the worst",
+        }
+    }
+
+    /// The bounds.
+    #[must_use]
+    pub fn bounds(self, log: &Log, fix_m: f64) -> Bounds {
+        match self {
+            Self::WholeLog => log.stated_bounds(fix_m),
+            Self::FirstThird => log.bounds(SAFETY, log.increments.len() / 3, fix_m),
+            Self::Halved => log.bounds(0.5, log.increments.len(), fix_m),
+        }
+    }
+}
+
+/// All runs on one log, read by one rule, with one source of bounds and one bound on the fixes.
+#[derive(Clone, Debug)]
+pub struct RobotCell {
+    /// Where the bounds come from.
+    pub source: Source,
+    /// The bounds.
+    pub bounds: Bounds,
+    /// Scales for which the reference keeps the bounds.
+    pub admissible: Option<[f64; 2]>,
+    /// Run by run.
+    pub runs: Vec<LeverRun>,
+}
+
+/// A log read by a rule, and what became of it.
+#[derive(Clone, Debug)]
+pub struct RobotLog {
+    /// The log.
+    pub log: Log,
+    /// The rule of its speeds.
+    pub rule: SpeedRule,
+    /// The cells.
+    pub cells: Vec<RobotCell>,
+}
+
+/// Runs both logs by both rules with `runs` draws of the position noise; guessed and too small bounds by the right rule only.
+///
+/// # Errors
+/// [`ScenarioError::DataMissing`] without the logs; those of the filter.
+pub fn study(context: &Context<'_>, experiment: &'static str, runs: usize) -> Result<Vec<RobotLog>, ScenarioError> {
+    let mut logs = Vec::new();
+    for number in LOGS {
+        let samples = load(context.data, experiment, number)?;
+        for rule in SpeedRule::ALL {
+            let log = Log::new(number, &samples, rule);
+            let mut cells = Vec::new();
+            for source in
+                Source::ALL.into_iter().filter(|&source| rule == SpeedRule::Ends || source == Source::WholeLog)
+            {
+                for fix_m in FIX_BOUNDS_M {
+                    cells.push(cell(context, &log, source, fix_m, runs)?);
+                }
+            }
+            logs.push(RobotLog { log, rule, cells });
+        }
+    }
+    Ok(logs)
+}
+
+fn cell(context: &Context<'_>, log: &Log, source: Source, fix_m: f64, runs: usize) -> Result<RobotCell, ScenarioError> {
+    let bounds = source.bounds(log, fix_m);
+    let name = format!("guaranteed-invariant, log {}", log.number);
+    let runs = monte_carlo::run(context, &name, runs, |_, rng| {
+        let mut noise = BoundedNoise::new(NoiseKind::Uniform, [fix_m; 2]);
+        let truth = log.run(ARM_M, &bounds, source == Source::WholeLog, || noise.draw(rng))?;
+        LeverRun::new(&truth, &bounds)
+    })?;
+    Ok(RobotCell { source, bounds, admissible: log.admissible_scales(&bounds), runs })
+}
