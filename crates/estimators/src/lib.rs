@@ -70,7 +70,9 @@ mod system;
 mod zonotopic;
 mod zsmf;
 
-pub use constrained::{ConstrainedMethod, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy};
+pub use constrained::{
+    ConstrainedMethod, Curvature, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy,
+};
 pub use error::EstimatorError;
 pub use estimator::{Estimator, Guarantee};
 pub use gain::{Gain, f_radius_gain, observability_rank, place};

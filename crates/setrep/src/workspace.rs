@@ -32,7 +32,10 @@ pub struct Workspace {
     pub(crate) objective: Vec<f64>,
     /// Tables of minors.
     pub(crate) wedge: Option<crate::wedge::Wedge<f64>>,
+    /// Eliminations with their estimated losses, and a constrained zonotope to try them on.
+    pub(crate) choices: Vec<(f64, crate::constrained_zonotope::Choice)>,
     /// A constrained zonotope being changed, one to return to, and one lifted to a zonotope.
+    pub(crate) trial: Option<crate::ConstrainedZonotope>,
     pub(crate) draft: Option<crate::ConstrainedZonotope>,
     pub(crate) backup: Option<crate::ConstrainedZonotope>,
     pub(crate) lift: Option<crate::Zonotope>,

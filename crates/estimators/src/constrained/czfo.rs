@@ -9,7 +9,7 @@ use scalars::Interval;
 use setrep::{ConstrainedZonotope, Zonotope};
 
 use super::czmv;
-use super::options::{CzOptions, Extension};
+use super::options::{Curvature, CzOptions, Extension};
 use super::scratch::{Scratch, forget_noises};
 use crate::set_filter::{Equation, is_box, store};
 use crate::system::Relation;
@@ -50,6 +50,9 @@ pub(super) fn cut(
         return czmv::cut(equation, options, (set, hull), scratch);
     }
     let Scratch { bounds, quadratic: Some(quadratic), product, map, culprits, .. } = scratch else { return Ok(()) };
+    if options.curvature == Curvature::Hull {
+        quadratic.box_curvature(bounds)?;
+    }
     let noise = equation.noise.filter(|noise| !is_box(noise));
     let result = match noise {
         None => quadratic.intersect(set, equation.values, bounds),

@@ -7,7 +7,7 @@ mod policy;
 mod scratch;
 
 use nonlin_bounds::BoundError;
-pub use options::{CzOptions, Extension, Inclusion};
+pub use options::{Curvature, CzOptions, Extension, Inclusion};
 pub use policy::{ReduceAfter, ReductionPolicy};
 use scalars::Interval;
 use setrep::{ConstrainedZonotope, SetError, Strip};

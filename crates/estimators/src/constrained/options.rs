@@ -27,6 +27,16 @@ pub enum Inclusion {
     Hull,
 }
 
+/// How the quadratic term of the first-order extension enters an update.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Curvature {
+    /// With its generators and constraints, as the paper has it: exact before a reduction, but then most of it is lost with parts of the set.
+    Generators,
+    /// By its interval hull, which widens the rows: tighter once sets are reduced, and faster.
+    Hull,
+}
+
 /// Options of a [`CzFilter`](crate::CzFilter). They affect tightness and time, never validity, but for [`feasible`](Self::feasible), which is a
 /// promise about the states.
 ///
@@ -49,6 +59,8 @@ pub struct CzOptions {
     /// The coordinates of the cross term of the first-order extension.
     #[cfg_attr(feature = "serde", serde(with = "crate::remote::StoredCopies"))]
     pub copies: Copies,
+    /// How the quadratic term of the first-order extension enters an update.
+    pub curvature: Curvature,
     /// "+C": whether an update ends with the consistency step, which cuts the set with the invariant of the system. A system without an
     /// invariant has nothing to cut with.
     pub consistency: bool,
@@ -70,6 +82,7 @@ impl CzOptions {
             expansion: Expansion::EliminationCenter,
             inclusion: Inclusion::Elimination,
             copies: Copies::Shared,
+            curvature: Curvature::Hull,
             consistency: false,
             feasible: Vec::new(),
             reduction: ReductionPolicy::new(limit, ReduceAfter::EndOfStep),
@@ -77,13 +90,15 @@ impl CzOptions {
         }
     }
 
-    /// CZFO: the first-order extension about C3, reduced after every part of a step; with `None` sets are never reduced, and soon too large.
+    /// CZFO: the first-order extension about C3, reduced after every part of a step, with two candidates for each of the last eliminations:
+    /// its sets have a hundred columns and more, of which estimates know little. Four make it tighter by some more, and slower. With `None` sets
+    /// are never reduced, and soon too large.
     #[must_use]
     pub fn czfo(limit: Option<Complexity>) -> Self {
         Self {
             extension: Extension::FirstOrder,
             expansion: Expansion::SetCenter,
-            reduction: ReductionPolicy::new(limit, ReduceAfter::EveryPart),
+            reduction: ReductionPolicy { candidates: 2, ..ReductionPolicy::new(limit, ReduceAfter::EveryPart) },
             ..Self::czmv(limit)
         }
     }

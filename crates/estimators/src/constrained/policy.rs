@@ -31,13 +31,16 @@ pub struct ReductionPolicy {
     pub after: ReduceAfter,
     /// How generators are reduced.
     pub method: Reduction,
+    /// How many eliminations are compared by the hulls they leave, of the last ones
+    /// ([`ConstrainedZonotope::eliminate_comparing`]); 1: none, the paper's estimate decides.
+    pub candidates: usize,
 }
 
 impl ReductionPolicy {
     /// The policy of the paper for its limits: Method 4 after the parts given.
     #[must_use]
     pub fn new(limit: Option<Complexity>, after: ReduceAfter) -> Self {
-        Self { limit, after, method: Reduction::Method4 }
+        Self { limit, after, method: Reduction::Method4, candidates: 1 }
     }
 
     /// Whether a set is larger than it may be after a step.
@@ -51,7 +54,7 @@ impl ReductionPolicy {
     pub(super) fn apply(&self, set: &mut ConstrainedZonotope, workspace: &mut Workspace) -> Result<(), SetError> {
         set.materialize_model_size();
         match self.limit {
-            Some(limit) => set.reduce(limit, self.method, workspace),
+            Some(limit) => set.reduce_comparing(limit, self.method, self.candidates, workspace),
             None => Ok(()),
         }
     }

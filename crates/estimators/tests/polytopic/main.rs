@@ -7,6 +7,11 @@ mod containment;
 mod contradictions;
 mod hard_sets;
 mod plants;
+#[cfg(feature = "serde")]
+mod saved;
+#[cfg(feature = "serde")]
+#[path = "../support/saved.rs"]
+mod saved_states;
 mod stability;
 #[path = "../support/mod.rs"]
 mod support;

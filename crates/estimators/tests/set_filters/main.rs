@@ -12,6 +12,11 @@ mod outliers;
 mod plants;
 mod polynomials;
 mod rcz;
+#[cfg(feature = "serde")]
+mod saved;
+#[cfg(feature = "serde")]
+#[path = "../support/saved.rs"]
+mod saved_states;
 mod sharpness;
 mod skew_noise;
 #[path = "../support/mod.rs"]

@@ -130,6 +130,37 @@ impl QuadraticEnclosure {
         &self.curvature
     }
 
+    /// Replaces `K` by its interval hull, if that is bounded: [`intersect`](Self::intersect) then appends a row an output and nothing else.
+    ///
+    /// What is lost is what `K` knows of several outputs together. For a measurement, whose rows speak of `K` and of the set, that is little; but
+    /// with its generators the set has a column more for each of their pairs, of which a reduction can keep few.
+    ///
+    /// **Guarantee:** as before.
+    ///
+    /// # Errors
+    /// [`BoundError::Set`]; the enclosure is then unchanged.
+    pub fn box_curvature(&mut self, workspace: &mut Workspace) -> Result<(), BoundError> {
+        let mut hull = core::mem::take(&mut workspace.offsets);
+        hull.clear();
+        hull.resize(self.curvature.dim(), Interval::EMPTY);
+        let found = self.curvature.interval_hull_into(&mut hull, &mut workspace.sets);
+        let Parts { zeros, kept, kept_rows, .. } = &mut workspace.quadratic;
+        let result = found.and_then(|()| {
+            // An empty set stays one; sums of sides must not overflow.
+            if !hull.iter().all(|side| !side.is_empty() && side.mag() < f64::MAX / 8.0) {
+                return Ok(());
+            }
+            zeros.clear();
+            zeros.resize(hull.len(), 0.0);
+            kept.reset(hull.len(), 0);
+            kept_rows.reset(0, 0);
+            self.curvature.assign(zeros, kept, kept_rows, &[])?;
+            self.curvature.add_box(&hull)
+        });
+        workspace.offsets = hull;
+        Ok(result?)
+    }
+
     /// Image of the set that the enclosure was made for: `J (X - gamma) + [e] + K`. A zonotope leaves the constraints of `K` out; it has
     /// none if it was made for a zonotope.
     ///

@@ -52,7 +52,7 @@ pub fn report(results: &Results, timings: &[Row], scale: &Scale, studies: &Studi
         .table(tables::times(timings))
         .heading("Containment")
         .paragraph(format!(
-            "The runs of the tables with uniform noises, and {} runs of {} steps with noises at their bounds at the printed one. Shares of the steps at which the truth is not proven to have left the set, \
+            "The runs of the tables, and {} runs of {} steps of every filter at the printed bound, with uniform noises and with noises at their bounds. Shares of the steps at which the truth is not proven to have left the set, \
              and at which it is proven inside; runs that ended with a proven contradiction, which would be false, and without a finite set.",
             scale.runs, scale.watched_steps
         ))

@@ -7,8 +7,8 @@ use crate::noise::NoiseKind;
 use crate::set_study::{Cell, Contender, RADIUS, Trajectory, study};
 use crate::{Context, ScenarioError, monte_carlo};
 
-/// Noises of the containment study; uniform ones are watched in the tables.
-pub const KINDS: [NoiseKind; 2] = [NoiseKind::Vertices, NoiseKind::ConstantVertex];
+/// Noises of the containment study.
+pub const KINDS: [NoiseKind; 3] = [NoiseKind::Uniform, NoiseKind::Vertices, NoiseKind::ConstantVertex];
 /// Bounds of the search for the paper's.
 pub const BOUNDS: [f64; 4] = [0.15, 0.125, 0.10, 0.075];
 /// A bound far beyond the paper's, for our filter.
@@ -41,7 +41,7 @@ impl Scale {
     pub fn of(context: &Context<'_>) -> Self {
         let runs = context.runs_or(100, 2);
         let (table_runs, steps, watched_steps) =
-            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(5), TABLE_STEPS, 8) };
+            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(6), TABLE_STEPS, 20) };
         Self { runs, table_runs, steps, search_steps: JUDGED, watched_steps }
     }
 }

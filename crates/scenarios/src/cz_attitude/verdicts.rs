@@ -6,7 +6,7 @@ use super::studies::{Bound, JUDGED, LARGER_NOISE, LARGER_STEPS, Studies, TABLE_S
 use super::tables::{AGREEMENT, AVERAGED, CONVERGED, is_published, over_zmv, paper_ratio, watched};
 use crate::report::significant;
 use crate::set_study::Cell;
-use crate::set_study::ratios::average_ratios;
+use crate::set_study::ratios::{average_ratios, average_ratios_to};
 use crate::set_study::tables::containment_verdict;
 use crate::{Mode, Table};
 
@@ -117,15 +117,17 @@ fn columns(printed: &Bound, smaller: &Bound) -> Option<String> {
 
 /// What the consistency step gains.
 fn consistency(bound: &Bound) -> Option<String> {
-    let ratio = |method: &str| {
-        let ratios = average_ratios(find(&bound.rigorous, method)?, find(&bound.rigorous, "czfo")?);
-        Some(ratios.iter().sum::<f64>() / ratios.len() as f64)
+    let ratio = |method: &str, last: usize| {
+        let ratios = average_ratios_to(last, find(&bound.rigorous, method)?, find(&bound.rigorous, "czfo")?);
+        Some(significant(ratios.iter().sum::<f64>() / ratios.len() as f64, 3))
     };
-    let (c, fc) = (ratio("czfo+c")?, ratio("czfo+fc")?);
+    let (all, early) = (usize::MAX, AVERAGED);
     Some(format!(
-        "At the printed bound CZFO+C is at {} of the radius of CZFO, CZFO+FC at {} (paper 0.6964 and 0.7290).",
-        significant(c, 3),
-        significant(fc, 3)
+        "At the printed bound CZFO+C is at {} of the radius of CZFO, CZFO+FC at {} (paper 0.6964 and 0.7290); over `k <= {early}` at {} and {}.",
+        ratio("czfo+c", all)?,
+        ratio("czfo+fc", all)?,
+        ratio("czfo+c", early)?,
+        ratio("czfo+fc", early)?
     ))
 }
 

@@ -9,7 +9,17 @@ use crate::Row;
 /// Not finite where the first one diverged; runs in which the second one did are left out.
 #[must_use]
 pub fn average_ratios(of: &Cell, over: &Cell) -> Vec<f64> {
-    let runs = of.runs.iter().zip(&over.runs).map(|(of, over)| (&of.values[0], &over.values[0]));
+    average_ratios_to(usize::MAX, of, over)
+}
+
+/// [`average_ratios`] over the steps up to `last`.
+#[must_use]
+pub fn average_ratios_to(last: usize, of: &Cell, over: &Cell) -> Vec<f64> {
+    let some = |values: &'_ [f64]| -> usize { values.len().min(last.saturating_add(1)) };
+    let runs = of.runs.iter().zip(&over.runs).map(|(of, over)| {
+        let (of, over) = (&of.values[0], &over.values[0]);
+        (&of[..some(of)], &over[..some(over)])
+    });
     runs.filter(|(_, over)| over.iter().all(|value| value.is_finite()))
         .map(|(of, over)| of.iter().zip(over).map(|(a, b)| a / b).sum::<f64>() / of.len() as f64)
         .collect()

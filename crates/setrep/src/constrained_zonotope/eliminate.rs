@@ -6,8 +6,11 @@ use scalars::rounding::UNIT_ROUNDOFF;
 use super::ConstrainedZonotope;
 use super::rescale::{product, residual};
 use super::score::Choice;
-use crate::bounds::{add_lengths, product_sum_bound};
+use crate::bounds::{add_abs_row_sums, add_lengths, product_sum_bound};
 use crate::{SetError, Workspace};
+
+/// Eliminations for which candidates are compared by their hulls: the last ones, which have the most to lose.
+const COMPARED: usize = 3;
 
 impl ConstrainedZonotope {
     /// Encloses the set in one with at most `max_constraints` constraints and no more generators than before.
@@ -33,6 +36,37 @@ impl ConstrainedZonotope {
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn eliminate_constraints(&mut self, max_constraints: usize, workspace: &mut Workspace) -> Result<(), SetError> {
+        self.eliminate_comparing(max_constraints, 1, workspace)
+    }
+
+    /// [`eliminate_constraints`](Self::eliminate_constraints) that tries some `candidates`: each of the last three eliminations is that of the
+    /// best ones by the estimate which leaves the smallest interval hull, found by linear programs (the sum of its radii, in units of the generators' extent).
+    ///
+    /// The estimate goes by single rows and knows nothing of what the others bound; for sets with many more columns than dimensions it
+    /// is often the second or third candidate that costs least.
+    ///
+    /// **Guarantee:** as [`eliminate_constraints`](Self::eliminate_constraints).
+    ///
+    /// # Errors
+    /// As [`eliminate_constraints`](Self::eliminate_constraints).
+    ///
+    /// ```
+    /// # use setrep::{ConstrainedZonotope, Workspace};
+    /// let mut workspace = Workspace::new();
+    /// let mut set = ConstrainedZonotope::from_box(&[0.0, 0.0], &[1.0, 1.0])?;
+    /// for k in 0..6 {
+    ///     set.intersect_half_space(&[1.0, f64::from(k) - 2.5], 1.0, &mut workspace)?;
+    /// }
+    /// set.eliminate_comparing(2, 4, &mut workspace)?;
+    /// assert_eq!(set.num_constraints(), 2);
+    /// # Ok::<(), setrep::SetError>(())
+    /// ```
+    pub fn eliminate_comparing(
+        &mut self,
+        max_constraints: usize,
+        candidates: usize,
+        workspace: &mut Workspace,
+    ) -> Result<(), SetError> {
         if self.num_constraints() <= max_constraints {
             return Ok(());
         }
@@ -40,11 +74,10 @@ impl ConstrainedZonotope {
             while draft.num_constraints() > max_constraints {
                 draft.rescale(workspace)?;
                 draft.remove_inactive(&mut workspace.coordinates);
-                if draft.num_constraints() > max_constraints {
-                    match draft.least_loss(workspace) {
-                        Choice::Row(i) => draft.remove_row(i),
-                        Choice::Generator { column, row } => draft.eliminate(column, row, workspace)?,
-                    }
+                let excess = draft.num_constraints().saturating_sub(max_constraints);
+                if excess > 0 {
+                    let choice = draft.choose(if excess <= COMPARED { candidates.max(1) } else { 1 }, workspace);
+                    draft.free(choice, workspace)?;
                 }
             }
             draft.check_magnitudes()?;
@@ -52,6 +85,50 @@ impl ConstrainedZonotope {
             draft.remove_inactive(&mut workspace.coordinates);
             Ok(())
         })
+    }
+
+    /// The elimination of least estimated loss, or of some `candidates` that which leaves the smallest hull; one that fails is none.
+    fn choose(&self, candidates: usize, workspace: &mut Workspace) -> Choice {
+        self.rank_losses(candidates, workspace);
+        let choices = core::mem::take(&mut workspace.choices);
+        let mut best = (f64::INFINITY, choices.first().map_or(Choice::Row(0), |first| first.1));
+        if choices.len() > 1 {
+            let (mut hull, mut extents) =
+                (core::mem::take(&mut workspace.offsets), core::mem::take(&mut workspace.center));
+            extents.clear();
+            extents.resize(self.dim(), 0.0);
+            add_abs_row_sums(self.generators().as_slice(), &mut extents);
+            hull.clear();
+            hull.resize(self.dim(), Interval::EMPTY);
+            for &(_, choice) in &choices {
+                let mut trial = self.copy_into(workspace.trial.take());
+                let freed = trial.free(choice, workspace);
+                trial.clip_ranges();
+                let found = freed.and_then(|()| trial.interval_hull_into(&mut hull, workspace));
+                let sides = hull.iter().zip(&extents).filter(|(_, extent)| **extent > 0.0);
+                // An empty set stays one that way. NaN fails the comparison.
+                let size: f64 =
+                    sides.map(|(side, extent)| if side.is_empty() { 0.0 } else { side.rad() / extent }).sum();
+                if found.is_ok() && size < best.0 {
+                    best = (size, choice);
+                }
+                workspace.trial = Some(trial);
+            }
+            (workspace.offsets, workspace.center) = (hull, extents);
+        }
+        workspace.choices = choices;
+        best.1
+    }
+
+    /// Frees what is chosen; magnitudes are not checked, ranges not clipped yet.
+    fn free(&mut self, choice: Choice, workspace: &mut Workspace) -> Result<(), SetError> {
+        match choice {
+            Choice::Row(i) => {
+                self.remove_row(i);
+                Ok(())
+            }
+            Choice::Generator { column, row } => self.eliminate(column, row, workspace),
+        }
     }
 
     /// Runs a fallible change on a copy of the set that the workspace holds, and keeps it if it succeeds.

@@ -30,6 +30,7 @@ pub use reduce::Complexity;
 pub(crate) use reencode::Scratch as ReencodingScratch;
 pub use reencode::{Directions, Reencoding, TemplateWidths};
 use scalars::Interval;
+pub(crate) use score::Choice;
 
 use crate::{Matrix, Part, SetError, Zonotope};
 

@@ -20,7 +20,8 @@ impl ConstrainedZonotope {
     /// Constraints first, then generators: the set is simplified ([`rescale`](Self::rescale),
     /// [`remove_inactive_generators`](Self::remove_inactive_generators)), constraints beyond the limit are
     /// [eliminated](Self::eliminate_constraints), then [generators reduced](Self::reduce_generators). That needs as many generators as
-    /// dimensions and constraints together, so a limit below `n + constraints` costs further constraints. Allocates nothing within
+    /// dimensions and constraints together, so a limit below `n + constraints` costs further constraints. Of generators beyond dimensions,
+    /// constraints and limit together, the rest are reduced at once: they are small and make eliminations slow. Allocates nothing within
     /// the capacity of set and workspace.
     ///
     /// **Guarantee:** superset of the set, of at most the given complexity.
@@ -40,6 +41,22 @@ impl ConstrainedZonotope {
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn reduce(&mut self, limit: Complexity, method: Reduction, workspace: &mut Workspace) -> Result<(), SetError> {
+        self.reduce_comparing(limit, method, 1, workspace)
+    }
+
+    /// [`reduce`](Self::reduce) with constraints eliminated by [comparing](Self::eliminate_comparing) some `candidates`.
+    ///
+    /// **Guarantee:** as [`reduce`](Self::reduce).
+    ///
+    /// # Errors
+    /// As [`reduce`](Self::reduce).
+    pub fn reduce_comparing(
+        &mut self,
+        limit: Complexity,
+        method: Reduction,
+        candidates: usize,
+        workspace: &mut Workspace,
+    ) -> Result<(), SetError> {
         if limit.generators < self.dim() {
             return Err(SetError::TooFewGenerators { max_generators: limit.generators, dim: self.dim() });
         }
@@ -54,9 +71,13 @@ impl ConstrainedZonotope {
             set.remove_inactive(&mut workspace.coordinates);
             set.rescale(workspace)?;
             set.remove_inactive(&mut workspace.coordinates);
-            set.eliminate_constraints(limit.constraints, workspace)?;
+            let most = (set.dim() + set.num_constraints()).saturating_add(limit.generators);
+            if set.num_constraints() > limit.constraints && set.num_generators() > most {
+                set.reduce_generators(method, most, workspace)?;
+            }
+            set.eliminate_comparing(limit.constraints, candidates, workspace)?;
             if set.num_generators() > limit.generators {
-                set.eliminate_constraints(limit.generators - set.dim(), workspace)?;
+                set.eliminate_comparing(limit.generators - set.dim(), candidates, workspace)?;
                 set.reduce_generators(method, limit.generators, workspace)?;
             }
             Ok(())

@@ -23,7 +23,7 @@ const ROW_SHARE: f64 = 0.3;
 
 /// What to free.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Choice {
+pub(crate) enum Choice {
     /// The coordinate of a column, solved for in a row.
     Generator {
         /// The column.
@@ -36,14 +36,16 @@ pub(super) enum Choice {
 }
 
 impl ConstrainedZonotope {
-    /// The elimination of least estimated loss; there is at least one constraint.
+    /// Writes the `count` eliminations of least estimated loss to `workspace.choices`, the least first; there is at least one constraint, and
+    /// `count` is at least one.
     ///
     /// The constraints come before the dimensions in `S`, so that of `S^-1 l` only the last entries are needed: `l' S^-1 l` is the
     /// squared length of half a solution.
-    pub(super) fn least_loss(&self, workspace: &mut Workspace) -> Choice {
+    pub(super) fn rank_losses(&self, count: usize, workspace: &mut Workspace) {
         let (n, rows, columns) = (self.dim(), self.num_constraints(), self.num_generators());
         let (size, candidates) = (n + rows, columns + rows);
-        let Workspace { frame: lift, eigen: factor, scales: units, coordinates: solved, row_sums, .. } = workspace;
+        let Workspace { frame: lift, eigen: factor, scales: units, coordinates: solved, row_sums, choices, .. } =
+            workspace;
         // 1 / units, by the hull and the rows' reach.
         row_sums.clear();
         row_sums.resize(size, 0.0);
@@ -81,13 +83,15 @@ impl ConstrainedZonotope {
         }
         solve_upper_end(factor, size, n, outer);
 
-        let mut best = (f64::INFINITY, Choice::Row(rows - 1));
+        choices.clear();
+        choices.push((f64::INFINITY, Choice::Row(rows - 1)));
         let mut consider = |candidate: usize, excess: f64, choice: Choice| {
             let moved = outer.iter().skip(candidate).step_by(candidates).map(|x| x * x).sum::<f64>().sqrt();
             let loss = excess * moved / rests[candidate].max(1e-12);
             // NaN fails the comparison.
-            if loss < best.0 {
-                best = (loss, choice);
+            if let Some(place) = choices.iter().position(|(other, _)| loss < *other) {
+                choices.insert(place, (loss, choice));
+                choices.truncate(count);
             }
         };
         for j in 0..columns {
@@ -102,7 +106,6 @@ impl ConstrainedZonotope {
                 consider(columns + i, ROW_SHARE * excess, Choice::Row(i));
             }
         }
-        best.1
     }
 
     /// By how much `xi_j` may exceed `[-1, 1]` as far as single rows tell, and the row in which its entry is largest; `units` has `1 / |A_i|_1`.
