@@ -33,12 +33,15 @@
 //! # Ok::<(), lie_groups::GroupError>(())
 //! ```
 
+mod checks;
 mod coeff;
 mod complex;
+mod convert;
 mod enclose;
 mod error;
 mod frame_group;
 mod lie_group;
+mod mean;
 mod named;
 mod prod;
 mod r_plus;
@@ -52,12 +55,14 @@ mod so3;
 mod turn;
 mod two_frame;
 
+pub use checks::{ErrorKind, check_autonomous, check_compatible_output, check_group_affine};
 pub use coeff::{BothSigns, Coeff, ScaledCoeff, ScaledMaps, SpaceCoeff, SpinSet};
 pub use complex::Complex;
 pub use enclose::Enclose;
 pub use error::GroupError;
 pub use frame_group::{FrameGroup, WithMaps};
 pub use lie_group::LieGroup;
+pub use mean::mean;
 pub use named::{SE3, SE22, SE23, SEK2, SEK3, Sim2, Sim3, TfgLever2, TfgLever3, TfgScaleLever2, TfgScaleLever3};
 pub use prod::{ImperfectSE2, Prod};
 pub use r_plus::RPlus;

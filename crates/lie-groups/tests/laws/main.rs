@@ -1,6 +1,6 @@
 //! The laws of a Lie group, run on every group over every scalar by one line each.
 //!
-//! Over `f64` both sides of a law must agree to a relative 1e-13; over intervals they enclose the same exact number, so they must meet,
+//! Over `f64` both sides of a law must agree to a relative 1e-13 (of the largest product in them); over intervals they enclose the same exact number, so they must meet,
 //! and the hull of both must be as narrow.
 
 #![allow(clippy::unwrap_used)]
@@ -9,6 +9,7 @@
 mod support;
 
 mod battery;
+mod models;
 mod probe;
 
 use lie_groups::{
