@@ -26,7 +26,7 @@ fn unit<R: Rng>(rng: &mut R) -> f64 {
     2.0 * rng.random::<f64>() - 1.0
 }
 
-fn vector<const N: usize, R: Rng>(rng: &mut R) -> SVector<f64, N> {
+pub(crate) fn vector<const N: usize, R: Rng>(rng: &mut R) -> SVector<f64, N> {
     SVector::from_fn(|_, _| unit(rng))
 }
 
@@ -53,7 +53,7 @@ fn draw<P, const N: usize>(
 }
 
 /// Largest difference between two vectors of a list.
-fn spread<const N: usize>(vectors: &[SVector<f64, N>]) -> f64 {
+pub(crate) fn spread<const N: usize>(vectors: &[SVector<f64, N>]) -> f64 {
     vectors.iter().flat_map(|a| vectors.iter().map(move |b| (a - b).amax())).fold(0.0, f64::max)
 }
 

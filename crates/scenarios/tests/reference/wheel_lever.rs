@@ -9,7 +9,7 @@ use scenarios::wheel_lever::{WheelLeverExperiment, autonomy};
 use scenarios::wifibot::LOGS;
 use scenarios::wifibot::odometry::Rule;
 use scenarios::wifibot::wheels::Study;
-use scenarios::{Context, Experiment};
+use scenarios::{Context, Experiment, wheel_lever_3d};
 
 use crate::wifibot::data;
 
@@ -81,4 +81,27 @@ fn the_logs_with_unknown_wheels_and_antenna() {
             }
         }
     }
+}
+
+/// In space the two-frame error moves by itself as long as the robot does not turn, or the lever arm is turned back; else it spreads with the turn,
+/// as the product says. Its filter still keeps the scale positive and finds the rotation.
+#[test]
+fn in_space_the_lever_arm_is_not_group_affine() {
+    let rows = wheel_lever_3d::report::residuals().unwrap();
+    let spreads = |row: &str, method: &str| -> Vec<f64> {
+        let rows = rows.iter().filter(|r| r.row_name().contains(row) && r.method_name() == method);
+        rows.map(|row| row.get_value().unwrap()).collect()
+    };
+    let tfg = spreads("constant", "tfg-iekf");
+    assert!(tfg[0] < 1e-13 && tfg[1] > 1e-4 && tfg[2] > 5.0 * tfg[1] && tfg[3] > 0.1, "{tfg:?}");
+    assert!(spreads("turned back", "tfg-iekf").iter().all(|spread| *spread < 1e-12));
+    for method in ["iekf-imperfect", "ekf"] {
+        assert!(
+            spreads("constant", method).iter().zip(&tfg).all(|(other, tfg)| *other > 0.1 && other > tfg),
+            "{method}"
+        );
+    }
+    let cell = wheel_lever_3d::study::cell(&Context::new(1), wheel_lever_3d::study::LEVERS_M[0], 6).unwrap();
+    assert!(cell.runs.iter().all(|[tfg, ..]| tfg.scale > 0.0));
+    assert!(cell.runs.iter().filter(|[tfg, ..]| tfg.close).count() >= 5);
 }
