@@ -3,7 +3,9 @@
 use nalgebra::SVector;
 use scalars::Interval;
 
-use crate::{Complex, FrameGroup, LieGroup, RPlus, Rn, SE2, SO2, ScaledSO2, Turn, TwoFrame};
+use crate::{
+    Complex, FrameGroup, LieGroup, Prod, RPlus, Rn, SE2, SO2, SO3, ScaledSO2, ScaledSO3, SpinSet, Turn, TwoFrame,
+};
 
 /// A group over `f64` whose elements can be enclosed by elements of the same group over intervals.
 ///
@@ -78,5 +80,34 @@ where
             std::array::from_fn(|i| boxed(&fixed[i])),
             std::array::from_fn(|j| boxed(&body[j])),
         )
+    }
+}
+
+impl Enclose<3, 3> for SO3<f64> {
+    type Enclosed = SO3<Interval>;
+
+    fn enclose(&self) -> SO3<Interval> {
+        SO3::from_spin(SpinSet::point(self.quaternion()))
+    }
+}
+
+impl Enclose<4, 3> for ScaledSO3<f64> {
+    type Enclosed = ScaledSO3<Interval>;
+
+    fn enclose(&self) -> ScaledSO3<Interval> {
+        ScaledSO3::new(self.rotation().enclose(), self.scaling().enclose())
+    }
+}
+
+impl<A, B, const NA: usize, const NB: usize, const DA: usize, const DB: usize, const N: usize> Enclose<N, DA>
+    for Prod<A, B, NA, NB, DB, N>
+where
+    A: Enclose<NA, DA>,
+    B: Enclose<NB, DB>,
+{
+    type Enclosed = Prod<A::Enclosed, B::Enclosed, NA, NB, DB, N>;
+
+    fn enclose(&self) -> Self::Enclosed {
+        Prod::new(self.first().enclose(), self.second().enclose())
     }
 }

@@ -46,6 +46,15 @@ pub enum GroupError {
         scale_hi: f64,
     },
 
+    /// No mean: no elements, weights that do not fit, or elements too far apart for the iteration to converge.
+    #[error("no mean after {iterations} iterations, the last step was {step}")]
+    NoMean {
+        /// Iterations done.
+        iterations: usize,
+        /// Length of the last step.
+        step: f64,
+    },
+
     /// A matrix has the wrong shape.
     #[error("matrix is {found_rows} x {found_cols}, expected {expected} x {expected}")]
     Shape {

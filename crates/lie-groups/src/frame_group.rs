@@ -12,7 +12,7 @@ pub type WithMaps<T, S, const D: usize> = (T, SMatrix<S, D, D>, SMatrix<S, D, D>
 ///
 /// `g * v` is the action ([`LieGroup::act`]), `w*` the matrix of an algebra element, `B(v)` the matrix with `B(v) w = w* v`
 /// ([`LieGroup::act_jacobian`]), and `V(w) = phi_1(w*)`. From these a [`TwoFrame`](crate::TwoFrame) is built; the trait is implemented by
-/// [`SO2`] and [`ScaledSO2`](crate::ScaledSO2).
+/// [`SO2`], [`ScaledSO2`](crate::ScaledSO2), [`SO3`](crate::SO3) and [`ScaledSO3`](crate::ScaledSO3).
 ///
 /// **Source:** the coupling block `Q(w, u) = d_w [V(w) u] - B(V(w) u) Jl(w)` is block (2, 1) of `phi_1(ad)`; Barfoot, State Estimation for
 /// Robotics, section 7.1 for SE(3).

@@ -33,33 +33,44 @@
 //! # Ok::<(), lie_groups::GroupError>(())
 //! ```
 
+mod checks;
 mod coeff;
 mod complex;
+mod convert;
 mod enclose;
 mod error;
 mod frame_group;
 mod lie_group;
+mod mean;
 mod named;
+mod prod;
 mod r_plus;
 mod rn;
 mod scaled_so2;
+mod scaled_so3;
 mod se2;
 mod small;
 mod so2;
+mod so3;
 mod turn;
 mod two_frame;
 
-pub use coeff::{BothSigns, Coeff, ScaledCoeff};
+pub use checks::{ErrorKind, check_autonomous, check_compatible_output, check_group_affine};
+pub use coeff::{BothSigns, Coeff, ScaledCoeff, ScaledMaps, SpaceCoeff, SpinSet};
 pub use complex::Complex;
 pub use enclose::Enclose;
 pub use error::GroupError;
 pub use frame_group::{FrameGroup, WithMaps};
 pub use lie_group::LieGroup;
-pub use named::{SE22, SEK2, Sim2, TfgLever2, TfgScaleLever2};
+pub use mean::mean;
+pub use named::{SE3, SE22, SE23, SEK2, SEK3, Sim2, Sim3, TfgLever2, TfgLever3, TfgScaleLever2, TfgScaleLever3};
+pub use prod::{ImperfectSE2, Prod};
 pub use r_plus::RPlus;
 pub use rn::Rn;
 pub use scaled_so2::ScaledSO2;
+pub use scaled_so3::{ScaledInverseSlopes, ScaledSO3, ScaledSlopes};
 pub use se2::SE2;
 pub use so2::SO2;
+pub use so3::{SO3, SpinInverseSlopes, SpinSlopes};
 pub use turn::Turn;
 pub use two_frame::TwoFrame;

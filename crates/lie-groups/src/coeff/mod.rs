@@ -1,17 +1,25 @@
 //! The few functions of an angle that a plane group needs beyond arithmetic.
 
 mod arc;
+mod even;
 mod float;
 mod interval;
 mod scaled;
 mod scaled_float;
 mod scaled_interval;
+mod space;
+mod space_float;
+mod space_interval;
+mod space_scaled;
+mod spin_set;
 
 use std::fmt::Debug;
 
 use scalars::Scalar;
 
 pub use scaled::{BothSigns, ScaledCoeff};
+pub use space::{ScaledMaps, SpaceCoeff};
+pub use spin_set::SpinSet;
 
 use crate::{Complex, GroupError, Turn};
 
@@ -34,7 +42,7 @@ use crate::{Complex, GroupError, Turn};
 /// **Guarantee:** over `f64` at most a few units in the last place of error relative to the modulus, at every scale; over
 /// `Interval` supersets of the range over the box, within a few units in the last place for a point.
 /// **Source:** Iserles, Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 2000 (the functions `phi_k`).
-pub trait Coeff: Scalar + ScaledCoeff {
+pub trait Coeff: Scalar + ScaledCoeff + SpaceCoeff {
     /// What a rotation keeps beside its cosine and sine: nothing over `f64`, the range of its angle over `Interval`.
     type Arc: Copy + Debug + PartialEq;
 

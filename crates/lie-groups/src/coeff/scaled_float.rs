@@ -11,57 +11,12 @@
 //! series in two variables is needed.
 
 use super::ScaledCoeff;
-use super::float::{BESSEL, SINE_GAP, polynomial};
+use super::even::Even;
 use super::scaled::BothSigns;
 use crate::{Coeff, Complex, GroupError};
 
 /// Below this `|y|^2` the constant and linear terms of the functions are all that `f64` sees.
 const TINY: f64 = 1e-140;
-
-/// The even functions of one coordinate; `square` is `h^2`, or `-a^2` for the hyperbolic ones.
-struct Even {
-    square: f64,
-    /// `sin h / h`, `sinh a / a`.
-    q: f64,
-    /// `cos h`, `cosh a`.
-    cos: f64,
-    /// `(1 - q) / square`.
-    gap: f64,
-    /// `(q - cos) / square`.
-    bessel: f64,
-}
-
-impl Even {
-    #[inline]
-    fn series(square: f64) -> Self {
-        let (gap, bessel) = (polynomial(&SINE_GAP, square), polynomial(&BESSEL, square));
-        let q = 1.0 - square * gap;
-        Self { square, q, cos: q - square * bessel, gap, bessel }
-    }
-
-    fn closed(square: f64, q: f64, cos: f64) -> Self {
-        Self { square, q, cos, gap: (1.0 - q) / square, bessel: (q - cos) / square }
-    }
-
-    #[inline]
-    fn circular(h: f64) -> Self {
-        if h.abs() <= std::f64::consts::FRAC_PI_2 {
-            Self::series(h * h)
-        } else {
-            let (sin, cos) = h.sin_cos();
-            Self::closed(h * h, sin / h, cos)
-        }
-    }
-
-    #[inline]
-    fn hyperbolic(a: f64) -> Self {
-        if a.abs() <= std::f64::consts::FRAC_PI_2 {
-            Self::series(-a * a)
-        } else {
-            Self::closed(-a * a, a.sinh() / a, a.cosh())
-        }
-    }
-}
 
 /// `sinhc(y)` with its parts.
 struct HalfPoint {

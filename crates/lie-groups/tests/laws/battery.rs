@@ -46,12 +46,14 @@ pub(crate) fn run_all<S: Probe>(subject: &Subject<S>) {
     ];
     let (name, count) = (subject.name, cases(BASE));
     assert_eq!(subject.group.dims().0, subject.kinds.len());
+    // A box of rotation vectors is widened by the condition of the maps (up to e^3 with a scale) in each of the two to five operations of a law.
+    let bar = if subject.kinds.contains('w') { S::SPACE_BAR } else { 1e-13 };
     println!("{name}: {count} cases a law, seed {SEED:#x}, worst relative errors:");
     for (what, law) in laws {
         let mut random = Random::new(&format!("{name} {what}"));
         let worst = (0..count).fold(0.0, |worst: f64, _| worst.max(law(subject, &mut random)));
         println!("    {what:28} {worst:.1e}");
-        assert!(worst <= 1e-13, "{name}, {what}: {worst:e}");
+        assert!(worst <= bar, "{name}, {what}: {worst:e}");
     }
 }
 
