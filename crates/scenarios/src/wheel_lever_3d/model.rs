@@ -151,7 +151,7 @@ const DIFFERENCE: f64 = 1e-5;
 
 /// The derivative of `f` at 0 by central differences.
 fn slopes<const R: usize, const C: usize>(f: impl Fn(&SVector<f64, C>) -> SVector<f64, R>) -> SMatrix<f64, R, C> {
-    let mut slopes = SMatrix::zeros();
+    let mut slopes = SMatrix::<f64, R, C>::zeros();
     for k in 0..C {
         let step = SVector::<f64, C>::from_fn(|i, _| if i == k { DIFFERENCE } else { 0.0 });
         slopes.set_column(k, &((f(&step) - f(&-step)) / (2.0 * DIFFERENCE)));
