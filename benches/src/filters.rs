@@ -1,10 +1,12 @@
-//! Filter steps of paper 000's vehicle, counted in faer products of `3x3` by `3x33`.
+//! Filter steps: paper 000's vehicle, counted in faer products of `3x3` by `3x33`; paper 002's robot, beside its extended Kalman filter.
 
 use std::hint::black_box;
 
+use estimators::kalman::Ekf;
+use estimators::kalman::wheels::{PlainError, TwoFrameError, WheelError, WheelState, WheelStep, Wheels};
 use estimators::{ErrorSide, Estimator, InZsmf, Left, Model, Outputs, Right, Zsmf};
 use lie_groups::SE2;
-use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix2x3, Matrix3, Vector2, Vector3, Vector6};
 use setrep::{Reduction, Zonotope};
 
 use crate::sets::FaerProduct;
@@ -43,9 +45,25 @@ impl Model<3, 2, 3> for Vehicle {
     }
 }
 
-/// The rows `step/*`: order 30, F-radius gain, Combastel's reduction.
+/// The rows `step/*`: order 30, F-radius gain, Combastel's reduction; and one prediction and update with six states.
 pub fn benches() -> Vec<Bench> {
-    vec![euclidean(), invariant::<Left>("step/inzsmf"), invariant::<Right>("step/inzsmf-right")]
+    let wheels = Bench::new("step/tfg-iekf", "ekf", wheels::<TwoFrameError>(), wheels::<PlainError>());
+    vec![euclidean(), invariant::<Left>("step/inzsmf"), invariant::<Right>("step/inzsmf-right"), wheels]
+}
+
+/// A prediction and an update of a Kalman filter of the robot with unknown wheels and antenna, which drives the circle of [`positions`].
+fn wheels<C: WheelError>() -> impl FnMut() {
+    let guess = WheelState::new(std::f64::consts::FRAC_PI_2, 1.0, Vector2::new(20.0, 0.0), Vector2::zeros());
+    let (q, r) = (Matrix3::identity() * 1e-6, Matrix2::identity() * 0.01);
+    let start = C::belief(guess, &Vector6::repeat(0.1)).expect("a finite state");
+    let mut filter: Ekf<_, C, 6, 2, 3, 2> = Ekf::new(Wheels, start, &q, &r).expect("covariances");
+    let (step, mut measured) = (WheelStep::new(0.004, Vector2::new(0.08, 0.0)), positions());
+    move || {
+        if let Some(y) = measured.next() {
+            filter.predict(black_box(&step)).expect("finite increments");
+            filter.update(&y).expect("a finite fix");
+        }
+    }
 }
 
 /// A step of the filter on the vector space.

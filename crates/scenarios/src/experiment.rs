@@ -28,6 +28,7 @@ pub fn all() -> Vec<&'static dyn Experiment> {
         &crate::inzsmf::InZsmfExperiment,
         &crate::wifibot::WifibotExperiment,
         &crate::wheel_lever::WheelLeverExperiment,
+        &crate::wheel_lever_3d::WheelLever3dExperiment,
         &crate::images::ImagesExperiment,
         &crate::cz_planar::PlanarExperiment,
         &crate::cz_attitude::AttitudeExperiment,

@@ -34,6 +34,7 @@ pub mod unicycle;
 pub mod vehicle;
 pub mod vehicle_polar;
 pub mod wheel_lever;
+pub mod wheel_lever_3d;
 pub mod wifibot;
 
 pub use curve::Curve;

@@ -24,7 +24,7 @@ fn nees_and_nis_average_to_their_dimensions() {
         let (q, r) = (covariance(&roots.0), covariance(&roots.1));
         let p = covariance(&random.matrix::<3, 3>());
         let draw = |p: &SMatrix<f64, 2, 2>, random: &mut Random| p.cholesky().unwrap().l() * normal::<2>(random);
-        let start = Gaussian::new(random.matrix(), &p).unwrap();
+        let start = Gaussian::<Flat, 3>::new(random.matrix(), &p).unwrap();
         let mut x = start.mean() + p.cholesky().unwrap().l() * normal::<3>(&mut random);
         let mut filter = Kf::new(model, start, &q, &r).unwrap();
         for _ in 0..steps {

@@ -1,12 +1,12 @@
 //! The wheeled robot of paper 002: Jacobians, autonomous errors, misprints.
 
-use estimators::Estimator;
 use estimators::kalman::wheels::{
-    ImperfectError, ImperfectIekf, PlainError, TfgIekf, TwoFrameError, WheelEkf, WheelError, WheelState, WheelStep,
-    Wheels,
+    Drivable, ImperfectError, ImperfectIekf, InvariantWheels, PlainError, TfgIekf, TwoFrameError, WheelEkf, WheelError,
+    WheelState, WheelStep, Wheels,
 };
-use estimators::kalman::{Chart, Gaussian, Motion, SmoothMotion, SmoothSensor};
-use lie_groups::LieGroup;
+use estimators::kalman::{Chart, Ekf, Gaussian, Motion, OnGroup, SmoothMotion, SmoothSensor};
+use estimators::{ErrorSide, Estimator, Left, Right};
+use lie_groups::{LieGroup, RPlus, SE2, ScaledSO2, Sim2, TfgLever2, TfgScaleLever2};
 use nalgebra::{Matrix2, Matrix3, Matrix6, SMatrix, SVector, Vector2, Vector3, Vector6};
 
 use crate::support::{Random, cases};
@@ -159,6 +159,82 @@ fn errata_30_and_second_bullet_the_update() {
         let (_, _, bullet_x, _) = error(&truth, &bullet);
         let of_scale = (l_r.transpose() * (e_x - l_x / x.scale) / l_s - bullet_x).norm();
         assert!(of_scale < 1e-12 && (bullet_x - after_x).norm() > 1e-3 * (x.scale - 1.0).abs());
+    }
+}
+
+/// The frame of a state.
+fn frame(x: &WheelState) -> ScaledSO2<f64> {
+    ScaledSO2::new(x.heading, RPlus::from_scale(x.scale).unwrap())
+}
+
+/// A state with `X' = X / s` on the two-frame group.
+fn element(x: &WheelState) -> TfgScaleLever2<f64> {
+    TfgScaleLever2::new(frame(x), [x.position], [x.lever / x.scale])
+}
+
+/// Jacobians of the model on a group, either error, against central differences; `A` holds for errors of any size.
+fn check_group<G: Drivable<N>, Side: ErrorSide + PartialEq, const N: usize>(of: impl Fn(&WheelState) -> G) {
+    let mut random = Random::new(22);
+    for _ in 0..cases(20) {
+        let (state, u) = (state(&mut random), step(&mut random));
+        let x = of(&state);
+        let shift = |e: &SVector<f64, N>| <OnGroup<G, Side, 2> as Chart<N>>::shift(&x, e);
+        let moved =
+            |x: &G, w: &Vector3<f64>| Motion::<OnGroup<G, Side, 2>, N, 3>::transition(&InvariantWheels, x, &u, w);
+        let still = Vector3::zeros();
+        let after = |y: &G| <OnGroup<G, Side, 2> as Chart<N>>::difference(y, &moved(&x, &still)).unwrap();
+        let (a, g) = SmoothMotion::<OnGroup<G, Side, 2>, N, 3>::motion_jacobians(&InvariantWheels, &x, &u);
+        let (h, d) = SmoothSensor::<OnGroup<G, Side, 2>, N, 2, 2>::output_jacobians(&InvariantWheels, &x);
+        let near = |name: &str, miss: f64| assert!(miss < 1e-8, "{name}, left {}: {miss:e}", Side::IS_LEFT);
+        near("A", (slopes(|e| after(&moved(&shift(e), &still))) - a).norm());
+        near("G", (slopes(|w| after(&moved(&x, w))) - g).norm());
+        near("H", (slopes(|e| shift(e).antenna()) - h).norm() + (d - Matrix2::identity()).norm());
+        let e = random.matrix::<N, 1>();
+        let miss = (after(&moved(&shift(&e), &still)) - a * e).norm();
+        assert!(miss < 1e-11, "a large error is not moved by A: {miss:e}");
+    }
+}
+
+#[test]
+fn jacobians_on_groups_are_derivatives() {
+    let (pose, scaled) =
+        (|x: &WheelState| SE2::new(x.heading, &x.position), |x: &WheelState| Sim2::new(frame(x), [x.position], []));
+    let lever = |x: &WheelState| TfgLever2::new(x.heading, [x.position], [x.lever]);
+    check_group::<SE2<f64>, Left, 3>(pose);
+    check_group::<SE2<f64>, Right, 3>(pose);
+    check_group::<Sim2<f64>, Left, 4>(scaled);
+    check_group::<TfgLever2<f64>, Left, 5>(lever);
+    check_group::<TfgLever2<f64>, Right, 5>(lever);
+    check_group::<TfgScaleLever2<f64>, Left, 6>(element);
+    check_group::<TfgScaleLever2<f64>, Right, 6>(element);
+}
+
+/// (29): the update in the variables of the robot is that on the group of `X' = X / s`, and so are the filters.
+#[test]
+fn the_filter_in_its_own_variables_is_the_one_on_the_group() {
+    type Group = OnGroup<TfgScaleLever2<f64>, Left, 2>;
+    let mut random = Random::new(23);
+    for _ in 0..cases(20) {
+        let (x, xi) = (state(&mut random), random.matrix::<6, 1>());
+        let apart = element(&TwoFrameError::shift(&x, &xi)).inverse().compose(&Group::shift(&element(&x), &xi));
+        assert!(apart.log().unwrap().norm() < 1e-13);
+    }
+    let x = state(&mut random);
+    let own = TwoFrameError::belief(x, &Vector6::new(0.5, 0.2, 1.0, 1.0, 0.5, 0.5)).unwrap();
+    let start = Gaussian::new(element(&x), &own.covariance()).unwrap();
+    let (q, r) = (Matrix3::identity() * 1e-3, Matrix2::identity() * 0.04);
+    for reset in [false, true] {
+        let mut own = TfgIekf::new(Wheels, own, &q, &r).unwrap().with_reset(reset);
+        let mut group: Ekf<_, Group, 6, 2, 3, 2> = Ekf::new(InvariantWheels, start, &q, &r).unwrap().with_reset(reset);
+        for _ in 0..20 {
+            let (u, y) = (step(&mut random), own.belief().mean().antenna() + random.matrix::<2, 1>() * 0.5);
+            own.step(&u, y.as_slice()).unwrap();
+            group.step(&u, y.as_slice()).unwrap();
+            let apart = element(own.belief().mean()).inverse().compose(group.belief().mean());
+            assert!(apart.log().unwrap().norm() < 1e-9);
+            let (p, expected) = (own.belief().covariance(), group.belief().covariance());
+            assert!((p - expected).norm() < 1e-9 * expected.norm());
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use estimators::kalman::wheels::{
     Drivable, ImperfectError, InvariantWheels, PlainError, TwoFrameError, WheelError, WheelState, WheelStep,
 };
 use estimators::kalman::{Chart, Motion, OnGroup};
-use lie_groups::SE2;
+use lie_groups::{RPlus, SE2, ScaledSO2, TfgLever2, TfgScaleLever2};
 use nalgebra::{SMatrix, SVector, Vector2, Vector3};
 use rand::{Rng, RngExt};
 
@@ -26,7 +26,7 @@ fn unit<R: Rng>(rng: &mut R) -> f64 {
     2.0 * rng.random::<f64>() - 1.0
 }
 
-fn vector<const N: usize, R: Rng>(rng: &mut R) -> SVector<f64, N> {
+pub(crate) fn vector<const N: usize, R: Rng>(rng: &mut R) -> SVector<f64, N> {
     SVector::from_fn(|_, _| unit(rng))
 }
 
@@ -53,7 +53,7 @@ fn draw<P, const N: usize>(
 }
 
 /// Largest difference between two vectors of a list.
-fn spread<const N: usize>(vectors: &[SVector<f64, N>]) -> f64 {
+pub(crate) fn spread<const N: usize>(vectors: &[SVector<f64, N>]) -> f64 {
     vectors.iter().flat_map(|a| vectors.iter().map(move |b| (a - b).amax())).fold(0.0, f64::max)
 }
 
@@ -100,8 +100,15 @@ fn of_group<G: Drivable<N>, const N: usize>(
 /// Those of the logarithms.
 pub fn rows() -> Result<Vec<Row>, ScenarioError> {
     let pose = |state: WheelState| Ok(SE2::new(state.heading, &state.position));
-    let found: [(&str, &str, [f64; 3]); 4] = [
+    let lever = |state: WheelState| Ok(TfgLever2::new(state.heading, [state.position], [state.lever]));
+    let scaled = |state: WheelState| {
+        let frame = ScaledSO2::new(state.heading, RPlus::from_scale(state.scale)?);
+        Ok(TfgScaleLever2::new(frame, [state.position], [state.lever / state.scale]))
+    };
+    let found: [(&str, &str, [f64; 3]); 6] = [
         ("Problem 1 on SE(2) (Proposition 1)", "iekf", of_group::<SE2<f64>, 3>(pose)?),
+        ("Problem 2 on the TFG with lever arm (Proposition 2)", "iekf", of_group::<TfgLever2<f64>, 5>(lever)?),
+        ("Problem 3 in X' = X / s (section V-C)", "iekf", of_group::<TfgScaleLever2<f64>, 6>(scaled)?),
         ("Problem 3 in its own variables (Propositions 3 and 4)", "tfg-iekf", of_error::<TwoFrameError>()?),
         ("Problem 3", "iekf-imperfect", of_error::<ImperfectError>()?),
         ("Problem 3", "ekf", of_error::<PlainError>()?),

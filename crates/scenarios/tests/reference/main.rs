@@ -11,4 +11,5 @@ mod published;
 mod sound;
 mod tank_chain;
 mod vehicle_polar;
+mod wheel_lever;
 mod wifibot;

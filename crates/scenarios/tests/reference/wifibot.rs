@@ -10,7 +10,7 @@ use scenarios::wifibot::{LOGS, WifibotExperiment};
 use scenarios::{Context, Experiment, ScenarioError};
 
 /// The folder with the data; one line that says how to get it where there is none.
-fn data() -> Option<PathBuf> {
+pub(crate) fn data() -> Option<PathBuf> {
     let Some(folder) = std::env::var_os("ORBITOPE_DATA").map(PathBuf::from) else {
         println!("skipped, ORBITOPE_DATA is not set: {HOW_TO_GET}");
         return None;

@@ -1,7 +1,7 @@
 //! [`InvariantWheels`]: the three problems on their groups, with the left- or the right-invariant error.
 
-use lie_groups::{LieGroup, SE2, SO2};
-use nalgebra::{Matrix2, Matrix2x3, Matrix3, SMatrix, Vector2, Vector3};
+use lie_groups::{FrameGroup, LieGroup, SE2, SO2, TwoFrame};
+use nalgebra::{Matrix2, Matrix2x3, Matrix3, SMatrix, SVector, Vector2, Vector3};
 
 use super::state::{WheelStep, quarter};
 use crate::kalman::{Motion, OnGroup, Sensor, SmoothMotion, SmoothSensor};
@@ -25,7 +25,7 @@ pub trait Drivable<const N: usize>: LieGroup<f64, N, 2> + 'static {
 
 /// A wheeled robot on a group ([`Drivable`]): a step of gyro and wheels, fixes of the antenna; noises as those of [`Wheels`](super::Wheels).
 ///
-/// The motion is group-affine: `A` does not depend on the estimate, and is exact for errors of any size, with the left- and with the
+/// The motion is group-affine, a lever arm being a constant vector of the body, as rotations of the plane commute: `A` does not depend on the estimate, and is exact for errors of any size, with the left- and with the
 /// right-invariant error, `A_right = Ad A_left Ad^-1` at the estimates after and before the step.
 ///
 /// **Source:** paper 002, Propositions 1 and 2.
@@ -98,5 +98,44 @@ impl Drivable<3> for SE2<f64> {
 
     fn left_output(&self) -> Matrix2x3<f64> {
         self.act_linear() * Self::act_jacobian(&Vector2::zeros())
+    }
+}
+
+/// One position and at most one lever arm: Problem 2 (`TfgLever2`), Problem 3 in `X' = X / s` (`TfgScaleLever2`), and the wheels unknown with
+/// the antenna on the axle (`Sim2`).
+impl<F, const NB: usize, const DG: usize, const N: usize> Drivable<N> for TwoFrame<F, f64, 2, 1, NB, DG, N>
+where
+    F: FrameGroup<f64, 2, DG> + 'static,
+{
+    fn driven(&self, step: &WheelStep) -> Self {
+        // The rotation comes first among the coordinates of a frame.
+        let turn = F::exp(&SVector::from_fn(|i, _| if i == 0 { step.turn_rad } else { 0.0 }));
+        Self::new(self.frame().compose(&turn), [self.act(&step.shift)], *self.body())
+    }
+
+    fn left_jacobians(&self, step: &WheelStep) -> (SMatrix<f64, N, N>, SMatrix<f64, N, 3>) {
+        let back = step.turn().inverse().act_linear();
+        let mut a = SMatrix::<f64, N, N>::identity();
+        a.view_mut((DG, 0), (2, DG)).copy_from(&(back * F::act_jacobian(&step.shift)));
+        a.view_mut((DG, DG), (2, 2)).copy_from(&back);
+        let mut g = SMatrix::<f64, N, 3>::zeros();
+        g[(0, 0)] = 1.0;
+        g.view_mut((DG, 1), (2, 2)).copy_from(&back);
+        for (j, lever) in self.body().iter().enumerate() {
+            g.view_mut((DG + 2 + 2 * j, 0), (2, 1)).copy_from(&quarter(lever));
+        }
+        (a, g)
+    }
+
+    fn antenna(&self) -> Vector2<f64> {
+        self.act(self.body().first().unwrap_or(&Vector2::zeros()))
+    }
+
+    fn left_output(&self) -> SMatrix<f64, 2, N> {
+        let mut h = SMatrix::<f64, 2, N>::zeros();
+        for k in 0..=NB.min(1) {
+            h.view_mut((0, DG + 2 * k), (2, 2)).copy_from(&self.act_linear());
+        }
+        h
     }
 }

@@ -1,12 +1,11 @@
 //! [`TwoFrameError`]: the error of paper 002, which moves as a function of itself.
 
-use lie_groups::{Complex, LieGroup, SO2};
+use lie_groups::{LieGroup, RPlus, ScaledSO2, TfgScaleLever2};
 use nalgebra::{Matrix2, Matrix2x6, Matrix6, Matrix6x3, Vector2, Vector6};
 
 use super::model::{WheelError, blocks};
 use super::state::{WheelState, WheelStep, quarter};
 use crate::EstimatorError;
-use crate::error::check_finite;
 use crate::kalman::Chart;
 
 /// The error of the TFG-IEKF: the logarithm of the left-invariant error of `(R, s, x, X' = X / s)` on the two-frame group with scale, written
@@ -30,43 +29,28 @@ impl Chart<6> for TwoFrameError {
     type Point = WheelState;
     const FLAT: bool = false;
 
-    fn shift(point: &WheelState, e: &Vector6<f64>) -> WheelState {
-        let z = Complex::new(e[1], e[0]);
-        let (turn, growth) = (SO2::from_angle(e[0]), e[1].exp());
-        let x = phi(1, z) * Complex::new(e[2], e[3]);
-        let l = phi(1, Complex::new(-z.re, -z.im)) * Complex::new(e[4], e[5]);
+    fn shift(point: &WheelState, xi: &Vector6<f64>) -> WheelState {
+        let e = TfgScaleLever2::exp(xi);
+        let (turn, growth) = (e.frame().rotation(), e.frame().scaling().scale());
         WheelState {
             heading: point.heading.compose(&turn),
             scale: point.scale * growth,
-            position: point.position + point.heading.act(&x.to_vector()) * point.scale,
-            lever: l.to_vector() * (point.scale * growth) + turn.inverse().act(&point.lever),
+            position: point.position + point.heading.act(&e.fixed()[0]) * point.scale,
+            lever: e.body()[0] * (point.scale * growth) + turn.inverse().act(&point.lever),
         }
     }
 
     fn difference(state: &WheelState, point: &WheelState) -> Result<Vector6<f64>, EstimatorError> {
         let back = point.heading.inverse();
         let turn = back.compose(&state.heading);
-        let z = Complex::new((state.scale / point.scale).ln(), turn.angle()?);
-        let x = back.act(&(state.position - point.position)) / point.scale;
-        let l = (state.lever - turn.inverse().act(&point.lever)) / state.scale;
-        let x = over(Complex::from_vector(&x), phi(1, z));
-        let l = over(Complex::from_vector(&l), phi(1, Complex::new(-z.re, -z.im)));
-        let e = Vector6::new(z.im, z.re, x.re, x.im, l.re, l.im);
-        check_finite("error", e.as_slice())?;
-        Ok(e)
+        let position = back.act(&(state.position - point.position)) / point.scale;
+        let lever = (state.lever - turn.inverse().act(&point.lever)) / state.scale;
+        let frame = ScaledSO2::new(turn, RPlus::from_scale(state.scale / point.scale)?);
+        Ok(TfgScaleLever2::new(frame, [position], [lever]).log()?)
     }
 
-    fn transport(e: &Vector6<f64>) -> Matrix6<f64> {
-        // The right Jacobian is the left one at -e.
-        let z = Complex::new(-e[1], -e[0]);
-        let (p1, p2) = (phi(1, z).to_matrix(), phi(2, z));
-        let mut m = blocks(&p1, &p1);
-        for (row, u) in [(2, Complex::new(e[2], e[3])), (4, Complex::new(e[4], e[5]))] {
-            let b = (p2 * u).to_vector();
-            m.fixed_view_mut::<2, 1>(row, 0).copy_from(&quarter(&b));
-            m.fixed_view_mut::<2, 1>(row, 1).copy_from(&b);
-        }
-        m
+    fn transport(shift: &Vector6<f64>) -> Matrix6<f64> {
+        TfgScaleLever2::jr(shift)
     }
 
     fn check(point: &WheelState) -> Result<(), EstimatorError> {
@@ -121,31 +105,4 @@ impl WheelError for TwoFrameError {
         m.fixed_view_mut::<2, 1>(4, 0).copy_from(&-quarter(&state.lever));
         m
     }
-}
-
-/// `phi_k(z)`, k = 1 or 2.
-fn phi(k: i32, z: Complex<f64>) -> Complex<f64> {
-    if z.re.hypot(z.im) < 1.0 {
-        let (mut sum, mut term) = (Complex::new(0.0, 0.0), Complex::new(if k == 1 { 1.0 } else { 0.5 }, 0.0));
-        for j in 0..22 {
-            sum = Complex::new(sum.re + term.re, sum.im + term.im);
-            let next = term * z;
-            let d = f64::from(j + 1 + k);
-            term = Complex::new(next.re / d, next.im / d);
-        }
-        sum
-    } else if k == 1 {
-        let (sin, cos) = z.im.sin_cos();
-        let e = z.re.exp();
-        over(Complex::new(e * cos - 1.0, e * sin), z)
-    } else {
-        let p = phi(1, z);
-        over(Complex::new(p.re - 1.0, p.im), z)
-    }
-}
-
-fn over(a: Complex<f64>, b: Complex<f64>) -> Complex<f64> {
-    let n = b.re * b.re + b.im * b.im;
-    let c = a * b.conj();
-    Complex::new(c.re / n, c.im / n)
 }
