@@ -8,4 +8,5 @@ mod support;
 mod hulls;
 mod linear;
 mod strips;
+mod strips_calibration;
 mod vehicle;

@@ -1,0 +1,144 @@
+//! Scale of the odometry and lever arm of the receiver (paper 002, Problem 3), bounded from nothing.
+
+use estimators::{Estimator, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions};
+use scalars::Interval;
+
+use crate::support::Random;
+
+/// Odometry at 10 Hz.
+const DT: f64 = 0.1;
+
+/// The settings of a run.
+#[derive(Clone, Copy)]
+struct Case {
+    /// rad/s, for the first 50 s.
+    turn_rate: f64,
+    /// Bounds: rad/s, m/s, m.
+    gyro: f64,
+    speed: f64,
+    receiver: f64,
+    scale: f64,
+    arm: [f64; 2],
+    constant: bool,
+}
+
+const FAST: Case = Case {
+    turn_rate: core::f64::consts::TAU / 10.0,
+    gyro: 0.001,
+    speed: 0.02,
+    receiver: 0.1,
+    scale: 1.0,
+    arm: [1.0, 0.5],
+    constant: false,
+};
+
+fn symmetric(radius: f64) -> Interval {
+    Interval::new(-radius, radius).unwrap()
+}
+
+/// An interval enclosure of an exact trajectory at 5 m/s.
+struct Truth {
+    case: Case,
+    heading: Interval,
+    position: [Interval; 2],
+    random: Random,
+    held: [f64; 5],
+}
+
+impl Truth {
+    fn new(case: Case, seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let held = [0; 5].map(|_| random.sign());
+        Self { case, heading: Interval::point(0.7), position: [Interval::ZERO; 2], random, held }
+    }
+
+    fn draw(&mut self) -> [f64; 5] {
+        if self.case.constant { self.held } else { [0; 5].map(|_| self.random.unit()) }
+    }
+
+    fn advance(&mut self, turn: f64) {
+        let w = self.draw();
+        let forward = Interval::point(5.0 * DT) + Interval::point(w[1] * self.case.speed * DT);
+        let left = Interval::point(w[2] * self.case.speed * DT);
+        let (sin, cos) = self.heading.sin_cos();
+        let scale = Interval::point(self.case.scale);
+        self.position = [
+            self.position[0] + scale * (cos * forward - sin * left),
+            self.position[1] + scale * (sin * forward + cos * left),
+        ];
+        self.heading += Interval::point(turn) + Interval::point(w[0] * self.case.gyro * DT);
+    }
+
+    fn measure(&mut self) -> [f64; 2] {
+        let (sin, cos) = self.heading.sin_cos();
+        let [x, y] = self.case.arm.map(Interval::point);
+        let place = [self.position[0] + cos * x - sin * y, self.position[1] + sin * x + cos * y];
+        let w = self.draw();
+        [0, 1].map(|k| place[k].mid() + w[3 + k] * (self.case.receiver - place[k].rad() - 1e-13))
+    }
+
+    fn state(&self) -> PlanarBox {
+        let scale = Interval::point(self.case.scale);
+        PlanarBox::scale_and_lever_arm(self.heading, scale, self.position, self.case.arm.map(Interval::point))
+    }
+}
+
+/// Runs 100 s and returns the filter, with heading widths at 10, 60 and 100 s.
+fn run(case: Case, seed: u64) -> (InvariantStrips, [f64; 3]) {
+    let scale = Interval::new(0.8, 1.25).unwrap();
+    let prior =
+        PlanarBox::scale_and_lever_arm(Interval::ENTIRE, scale, [symmetric(10.0); 2], [symmetric(3.0); 2]);
+    let mut filter = InvariantStrips::new(&prior, StripsOptions::calibration()).unwrap();
+    let mut truth = Truth::new(case, seed);
+    let mut widths = [0.0; 3];
+    for k in 1..=100 {
+        let turn = if k <= 50 { case.turn_rate * DT } else { 0.0 };
+        let shift = [Interval::point(5.0 * DT), Interval::ZERO];
+        let step = PlanarIncrement::odometry(
+            Interval::point(turn),
+            shift,
+            symmetric(case.gyro * DT),
+            [symmetric(case.speed * DT); 2],
+        );
+        for _ in 0..10 {
+            filter.predict(&step).unwrap();
+            truth.advance(turn);
+        }
+        assert!(!filter.excludes(&truth.state()).unwrap(), "step {k}, predicted");
+        let y = PlanarMeasurement::position(truth.measure(), [symmetric(case.receiver); 2]).with_unknown_arm(0);
+        filter.update(&[y]).unwrap_or_else(|error| panic!("step {k}: {error}"));
+        assert!(!filter.excludes(&truth.state()).unwrap(), "step {k}");
+        if let Some(at) = [10, 60, 100].iter().position(|&at| at == k) {
+            widths[at] = filter.enclosure().heading_width_rad();
+        }
+    }
+    (filter, widths)
+}
+
+#[test]
+fn explore_calibration() {
+    let slow = Case { turn_rate: core::f64::consts::PI / 25.0, ..FAST };
+    let nominal = Case { gyro: 0.01, speed: 0.1, receiver: 1.0, ..slow };
+    let cases = [
+        nominal,
+        Case { constant: true, ..nominal },
+        Case { receiver: 1.0, ..slow },
+        Case { receiver: 1.0, ..FAST },
+        Case { gyro: 0.01, speed: 0.1, ..FAST },
+        FAST,
+        slow,
+        Case { constant: true, ..FAST },
+        Case { scale: 1.2, arm: [-2.0, 1.0], ..FAST },
+    ];
+    for (row, case) in cases.into_iter().enumerate() {
+        for seed in 1..3 {
+            let time = std::time::Instant::now();
+            let (filter, widths) = run(case, seed);
+            let set = filter.enclosure();
+            println!(
+                "row {} seed {seed}: heading {widths:.3?} scale {:.3} arm {:.2} {:.2} rows {} programs {} {:?}",
+                row + 1, set.scale, set.body[0][0], set.body[0][1], filter.num_rows(), filter.programs(), time.elapsed()
+            );
+        }
+    }
+}
