@@ -8,17 +8,21 @@ use super::arc::{Arc, Cap, TURN};
 use super::plane::{Region, Vector, middle, norm1, radius, unit};
 use crate::{Culprit, EstimatorError, Evidence};
 
+/// Most passes over the arc of one update, and the share of its width that a pass must take off for another one.
+const PASSES: usize = 5;
+const WORTHWHILE: f64 = 0.05;
+
 /// Half width of an arc above which it is cut by caps, below which by its ends.
 const WIDE: f64 = 1.2;
 
 impl InvariantStrips {
-    /// Everything once, and once more if the arc has shrunk a good deal.
+    /// The arc, again while it shrinks a good deal (which it does in the first updates only), and everything else once.
     pub(super) fn contract(&mut self) -> Result<(), EstimatorError> {
         self.push_derived()?;
-        for round in 0..2 {
+        for pass in 1..=PASSES {
             let before = self.arc.width();
             self.contract_arc()?;
-            if self.arc.width() > 0.8 * before || round == 1 {
+            if self.arc.width() > (1.0 - WORTHWHILE) * before || pass == PASSES {
                 break;
             }
             self.drop_derived();

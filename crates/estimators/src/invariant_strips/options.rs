@@ -36,10 +36,10 @@ impl StripsOptions {
         Self { refresh: 0, ..Self::pose() }
     }
 
-    /// For scale and lever arms, measured at a low rate: up to 640 rows.
+    /// For scale and lever arms, measured at a low rate: up to 760 rows.
     #[must_use]
     pub const fn calibration() -> Self {
-        Self { memory: 40, bucket: 0, refresh: 1, aligned: true, support_life: 20, caps: 48 }
+        Self { memory: 40, bucket: 0, refresh: 1, aligned: true, support_life: 30, caps: 48 }
     }
 
     pub(super) fn check(&self) -> Result<(), EstimatorError> {

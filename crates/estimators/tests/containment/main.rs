@@ -9,4 +9,5 @@ mod hulls;
 mod linear;
 mod strips;
 mod strips_calibration;
+mod strips_groups;
 mod vehicle;

@@ -1,6 +1,7 @@
 //! Steps in steady state allocate nothing.
 
-use estimators::{Estimator, Gain};
+use estimators::{Estimator, Gain, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions};
+use scalars::Interval;
 use setrep::Reduction;
 
 use crate::support::{Truth, increment, vehicle_inzsmf, vehicle_zsmf};
@@ -44,4 +45,30 @@ fn predictions_and_updates_allocate_nothing() {
 fn placed_poles_are_kept() {
     let mut filter = vehicle_inzsmf([0.0; 3], [1.0; 3]).with_gain(Gain::real_poles([0.95, 0.98, 0.98]));
     assert_quiet("inzsmf", || filter.step(&increment(), &[0.1, -0.1]).unwrap());
+}
+
+/// A vehicle at rest, measured with noise: rows come, go and carry bounds. A long warm-up lets the memory fill.
+#[test]
+fn steps_of_the_strips_allocate_nothing() {
+    let symmetric = |radius: f64| Interval::new(-radius, radius).unwrap();
+    let prior = PlanarBox::se2(Interval::ENTIRE, [symmetric(5.0); 2]);
+    let mut filter = InvariantStrips::new(&prior, StripsOptions::pose()).unwrap();
+    let step = PlanarIncrement::exponential([0.004, 0.08, 0.0].map(Interval::point), [symmetric(1e-3); 3]);
+    let mut truth = Truth::new(3);
+    let ys: Vec<_> = (0..1600)
+        .map(|_| {
+            truth.advance();
+            truth.measure()
+        })
+        .collect();
+    let mut next = ys.iter();
+    let mut advance = || {
+        let y = next.next().unwrap();
+        filter.predict(&step).unwrap();
+        filter.update(&[PlanarMeasurement::position([y[0], y[1]], [symmetric(1.0); 2])]).unwrap();
+    };
+    for _ in 0..500 {
+        advance();
+    }
+    assert_quiet("strips", advance);
 }

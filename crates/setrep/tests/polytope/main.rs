@@ -9,6 +9,7 @@ mod oracle;
 mod samples;
 
 mod bad_input;
+mod boxed_rows;
 mod containment;
 mod conversions;
 mod degenerate;
