@@ -108,9 +108,12 @@ pub fn lever(studies: &[Runs]) -> Figure {
     let courses: Vec<Drawn<'_>> = DRAWN_SETTINGS
         .iter()
         .enumerate()
-        .map(|(index, &setting)| (SETTINGS[setting].label.to_owned(), Look::nth(index).solid(), &studies[setting][0]))
+        .filter_map(|(index, &setting)| {
+            let run = studies[setting].first()?;
+            Some((SETTINGS[setting].label.to_owned(), Look::nth(index).solid(), run, PERIOD_S))
+        })
         .collect();
-    widths(Figure::new("scale-and-arm", title, 2), &courses, PERIOD_S)
+    widths(Figure::new("scale-and-arm", title, 2), &courses)
 }
 
 /// What the figure of Problem 3 shows.
@@ -119,29 +122,29 @@ pub const LEVER_CAPTION: &str = "Problem 3: widths of the bounds over time, firs
 /// The robot: widths over time, first draw of the noise, stated bounds.
 #[must_use]
 pub fn robot(logs: &[RobotLog]) -> Figure {
-    let title = "Robot logs: unknown heading, wheel scale and antenna arm, stated bounds";
+    let title = "Robot logs: unknown heading, wheel scale and antenna arm, stated bounds, fixes within 0.05 m";
     let stated = |cell: &&RobotCell| cell.source == Source::WholeLog;
     let mut courses: Vec<Drawn<'_>> = Vec::new();
     for log in logs.iter().filter(|log| log.rule == SpeedRule::Ends) {
-        for (cell, fix_m) in log.cells.iter().filter(stated).zip(FIX_BOUNDS_M) {
-            let label = format!("log {}, fixes within {fix_m} m", log.log.number);
-            courses.push((label, Look::nth(courses.len()).solid(), &cell.runs[0]));
+        for cell in log.cells.iter().filter(stated).filter(|cell| cell.bounds.fix_m == FIX_BOUNDS_M[1]) {
+            let label = format!("log {}, windows of {} s", log.log.number, log.log.window_s);
+            courses.push((label, Look::nth(courses.len()).solid(), &cell.runs[0], log.log.window_s));
         }
     }
-    widths(Figure::new("robot", title, 2), &courses, 1.0)
+    widths(Figure::new("robot", title, 2), &courses)
 }
 
 /// What the figure of the robot shows.
 pub const ROBOT_CAPTION: &str =
-    "Robot logs 2 and 3: widths of the bounds over time, first draw of the position noise. A fix a second.";
+    "Robot logs 2 and 3: widths of the bounds over time, first draw of the position noise. A fix a window.";
 
 /// Title, label and value.
 type Width = (&'static str, &'static str, fn(&LeverStep) -> f64);
 
-/// Label, look and run.
-type Drawn<'a> = (String, Look, &'a LeverRun);
+/// Label, look, run and seconds a state.
+type Drawn<'a> = (String, Look, &'a LeverRun, f64);
 
-fn widths(figure: Figure, courses: &[Drawn<'_>], period_s: f64) -> Figure {
+fn widths(figure: Figure, courses: &[Drawn<'_>]) -> Figure {
     let panels: [Width; 4] = [
         ("heading", "width [rad]", |step| step.heading_rad),
         ("wheel scale", "width", |step| step.scale.width()),
@@ -149,10 +152,11 @@ fn widths(figure: Figure, courses: &[Drawn<'_>], period_s: f64) -> Figure {
         ("arm, left", "width [m]", |step| step.arm_m[1].width()),
     ];
     panels.into_iter().fold(figure, |figure, (title, label, of)| {
-        let panel = courses.iter().fold(Panel::new(title, "t [s]", label).log_y(), |panel, (name, look, run)| {
-            let points = run.steps.iter().map(|step| (step.state as f64 * period_s, of(step)));
-            panel.with(Series::line(name.clone(), *look, points))
-        });
+        let panel =
+            courses.iter().fold(Panel::new(title, "t [s]", label).log_y(), |panel, (name, look, run, period_s)| {
+                let points = run.steps.iter().map(|step| (step.state as f64 * period_s, of(step)));
+                panel.with(Series::line(name.clone(), *look, points))
+            });
         figure.with(panel)
     })
 }

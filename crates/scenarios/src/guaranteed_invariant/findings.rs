@@ -168,19 +168,20 @@ fn robot(log: &RobotLog) -> Vec<String> {
 }
 
 fn robot_cell(log: &RobotLog, cell: &RobotCell) -> String {
-    let head = format!("**Log {}, fixes within {} m, {}**", log.log.number, cell.bounds.fix_m, cell.source.name());
+    let (fix_m, source, window_s) = (cell.bounds.fix_m, cell.source.name(), log.log.window_s);
+    let head = format!("**Log {}, windows of {window_s} s, fixes within {fix_m} m, {source}**", log.log.number);
     let runs = cell.runs.len();
     let seconds = |of: fn(&LeverRun) -> Option<usize>| cell.runs.iter().filter_map(of).collect::<Vec<_>>();
     let (proofs, lost) = (seconds(|run| run.contradiction), seconds(LeverRun::lost));
     if cell.source != Source::WholeLog {
         let at = |seconds: &[usize]| match (seconds.iter().min(), seconds.iter().max()) {
-            (Some(first), Some(last)) => format!("in {} of {runs} runs, at second {first} to {last}", seconds.len()),
+            (Some(first), Some(last)) => format!("in {} of {runs} runs, at window {first} to {last}", seconds.len()),
             _ => "in no run".to_owned(),
         };
         let first = cell.runs.iter().find_map(|run| run.contradiction.map(|second| (second, &run.culprits)));
         let named = first.map_or_else(String::new, |(second, culprits)| {
             let named: Vec<String> = culprits.iter().map(ToString::to_string).collect();
-            format!(" The first proof, at second {second}, names: {}.", named.join(", "))
+            format!(" The first proof, at window {second}, names: {}.", named.join(", "))
         });
         return format!("{head}: bounds proven wrong {}; reference proven outside {}.{named}", at(&proofs), at(&lost));
     }

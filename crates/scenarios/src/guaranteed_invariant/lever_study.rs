@@ -2,21 +2,29 @@
 
 use crate::guaranteed_invariant::lever::simulate;
 use crate::guaranteed_invariant::lever_run::LeverRun;
-use crate::guaranteed_invariant::settings::{FIX_EVERY, SETTINGS, Setting};
+use crate::guaranteed_invariant::settings::{FIX_EVERY, SETTINGS, SHARP, Setting};
 use crate::{Context, ScenarioError, monte_carlo};
 
-/// Runs of a setting, one entry a run.
+/// Runs of a setting, one entry a run; empty if it is left out.
 pub type Runs = Vec<LeverRun>;
 
-/// Runs every setting `runs` times; run `i` has the same random numbers in all of them.
+/// Settings of quick mode, as indices in [`SETTINGS`].
+const QUICK: [usize; 3] = [2, 3, SHARP];
+
+/// Runs every setting (in quick mode three) `runs` times; run `i` has the same random numbers in all of them.
 ///
 /// # Errors
 /// Those of the filter and of the simulator.
 pub fn study(context: &Context<'_>, runs: usize) -> Result<Vec<Runs>, ScenarioError> {
-    let all = monte_carlo::run(context, "scale and lever arm", SETTINGS.len() * runs, |index, _| {
-        run(context, &SETTINGS[index / runs], index % runs)
+    let settings: Vec<usize> = (0..SETTINGS.len()).filter(|index| !context.quick || QUICK.contains(index)).collect();
+    let all = monte_carlo::run(context, "scale and lever arm", settings.len() * runs, |index, _| {
+        run(context, &SETTINGS[settings[index / runs]], index % runs)
     })?;
-    Ok(all.chunks(runs).map(<[LeverRun]>::to_vec).collect())
+    let mut studies = vec![Runs::new(); SETTINGS.len()];
+    for (&setting, runs) in settings.iter().zip(all.chunks(runs)) {
+        studies[setting] = runs.to_vec();
+    }
+    Ok(studies)
 }
 
 fn run(context: &Context<'_>, setting: &Setting, run: usize) -> Result<LeverRun, ScenarioError> {

@@ -84,9 +84,9 @@ impl Scale {
     pub fn of(context: &Context<'_>) -> Self {
         let quick = context.quick;
         Self {
-            runs: context.runs_or(10, 2),
-            cases: if quick { vec![0, 5] } else { (0..TABLE_I.len()).collect() },
-            vertices: (0..VERTICES).filter(|number| !quick || number % 8 == 3).collect(),
+            runs: context.runs_or(10, 1),
+            cases: if quick { vec![5] } else { (0..TABLE_I.len()).collect() },
+            vertices: (0..VERTICES).filter(|number| !quick || number % 16 == 3).collect(),
         }
     }
 }

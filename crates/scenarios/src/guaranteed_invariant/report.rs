@@ -65,7 +65,7 @@ fn robot(report: &mut Report, evidence: &Evidence<'_>, results: &Results) {
     }
     report
         .paragraph(
-            "Increments of one second from wheels and gyro, an antenna arm of (0.5, 0.3) m added by the reference heading, a fix a second with \
+            "Increments of one and of five seconds from wheels and gyro, an antenna arm of (0.5, 0.3) m added by the reference heading, a fix a window with \
              uniform noise. Unknown: heading, scale in [0.8, 1.25], arm in a box of 6 m. \"Stated bounds\" on the increments are 1.2 times the worst error \
              of the whole log, so they hold by construction and promise nothing about another log; the 50 Hz samples themselves have errors too large \
              to say anything. The other two sources of bounds show what happens when they are not known to hold.",

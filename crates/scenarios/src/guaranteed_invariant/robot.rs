@@ -1,4 +1,4 @@
-//! Robot logs as Problem 3: increments of one second, an unknown wheel scale, and an antenna arm that is added to the reference.
+//! Robot logs as Problem 3: increments of a window of time, an unknown wheel scale, and an antenna arm that is added to the reference.
 //!
 //! The logs have no scale of their own, so "the scale" is the least-squares one: `s = sum <U_k, m_k> / sum |U_k|^2` for the displacements
 //! `m_k` of the reference in the body frame. The noises are what is left, `n_k = m_k / s - U_k`, and the bounds are 1.2 times
@@ -12,7 +12,7 @@ use crate::guaranteed_invariant::lever::{Bounds, Constants, Increment, LeverTrut
 use crate::metrics::wrap_angle;
 use crate::truth::Exact;
 use crate::vehicle::{Pose, TruePose};
-use crate::wifibot::odometry::{SAFETY, WINDOW_S};
+use crate::wifibot::odometry::SAFETY;
 
 /// Which interval the speed and the rate of a sample belong to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +42,8 @@ impl SpeedRule {
 pub struct Log {
     /// Number of the log.
     pub number: u32,
+    /// Length of a window, s.
+    pub window_s: f64,
     /// Reference poses, headings not wrapped.
     pub states: Vec<TruePose>,
     /// Measured increments between them.
@@ -51,14 +53,14 @@ pub struct Log {
 }
 
 impl Log {
-    /// Cuts a log into windows of a second; what is left after the last full window is not used.
+    /// Cuts a log into windows; what is left after the last full window is not used.
     #[must_use]
-    pub fn new(number: u32, samples: &[Sample], rule: SpeedRule) -> Self {
+    pub fn new(number: u32, samples: &[Sample], rule: SpeedRule, window_s: f64) -> Self {
         let mut states: Vec<TruePose> = Vec::new();
         let mut increments = Vec::new();
         let mut start = 0;
         for (index, sample) in samples.iter().enumerate() {
-            let due = samples[0].time_s + WINDOW_S * states.len() as f64;
+            let due = samples[0].time_s + window_s * states.len() as f64;
             if sample.time_s >= due {
                 states.push(state(states.last(), sample));
                 if states.len() > 1 {
@@ -68,7 +70,7 @@ impl Log {
             }
         }
         let scale = least_squares_scale(&states, &increments);
-        Self { number, states, increments, scale }
+        Self { number, window_s, states, increments, scale }
     }
 
     /// The worst noises of the windows `0..windows`: rad, m, m.
@@ -115,7 +117,7 @@ impl Log {
         (0.0 < lo && lo <= hi).then(|| [1.0 / hi, 1.0 / lo])
     }
 
-    /// The log as a run of Problem 3 with an arm added by the reference heading and noises `draw` on the fixes, one a second.
+    /// The log as a run of Problem 3 with an arm added by the reference heading and noises `draw` on the fixes, one a window.
     ///
     /// With `proven`, every step is proven to keep the bounds; without, the truth is whatever it is.
     ///
@@ -205,7 +207,7 @@ mod tests {
 
     #[test]
     fn the_least_squares_scale_is_found() {
-        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends);
+        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 1.0);
         assert_eq!((log.states.len(), log.increments.len()), (61, 60));
         assert!((log.scale - 0.95).abs() < 4e-3, "{}", log.scale);
     }
@@ -213,7 +215,7 @@ mod tests {
     /// The stated bounds hold by construction; half of them do not.
     #[test]
     fn stated_bounds_are_proven() {
-        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends);
+        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 1.0);
         let truth = log.run([0.5, 0.3], &log.stated_bounds(0.05), true, || [0.05 - 1e-9, 0.0]).unwrap();
         assert_eq!(truth.fixes.len(), 60);
         let half = log.bounds(0.5 * SAFETY, 60, 0.05);
@@ -223,7 +225,7 @@ mod tests {
     /// The admissible scales hold the least-squares one, and their width is about twice the bound on the speed.
     #[test]
     fn admissible_scales_follow_from_the_bound() {
-        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends);
+        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 1.0);
         let bounds = Bounds { turn_rad: 1.0, shift_m: [0.01, 0.1], fix_m: 1.0 };
         let [lo, hi] = log.admissible_scales(&bounds).unwrap();
         assert!(lo < log.scale && log.scale < hi);

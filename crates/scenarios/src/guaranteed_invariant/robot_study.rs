@@ -14,6 +14,9 @@ pub const FIX_BOUNDS_M: [f64; 2] = [1.0, 0.05];
 /// The arm that is added to the reference, m.
 pub const ARM_M: [f64; 2] = [0.5, 0.3];
 
+/// Lengths of a window, s. Errors grow slower than the way driven, so longer windows have relatively sharper bounds, and fewer fixes.
+pub const WINDOWS_S: [f64; 2] = [1.0, 5.0];
+
 /// Where the bounds on the increments come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
@@ -74,7 +77,7 @@ pub struct RobotLog {
     pub cells: Vec<RobotCell>,
 }
 
-/// Runs both logs by both rules with `runs` draws of the position noise; guessed and too small bounds by the right rule only.
+/// Runs both logs by both rules with `runs` draws of the position noise.
 ///
 /// # Errors
 /// [`ScenarioError::DataMissing`] without the logs; those of the filter.
@@ -83,24 +86,31 @@ pub fn study(context: &Context<'_>, experiment: &'static str, runs: usize) -> Re
     for number in LOGS {
         let samples = load(context.data, experiment, number)?;
         for rule in SpeedRule::ALL {
-            let log = Log::new(number, &samples, rule);
-            let mut cells = Vec::new();
-            for source in
-                Source::ALL.into_iter().filter(|&source| rule == SpeedRule::Ends || source == Source::WholeLog)
-            {
-                for fix_m in FIX_BOUNDS_M {
-                    cells.push(cell(context, &log, source, fix_m, runs)?);
-                }
+            for window_s in WINDOWS_S {
+                let log = Log::new(number, &samples, rule, window_s);
+                let cells = wanted(context.quick, rule, window_s)
+                    .map(|(source, fix_m)| cell(context, &log, source, fix_m, runs))
+                    .collect::<Result<Vec<_>, _>>()?;
+                logs.push(RobotLog { log, rule, cells });
             }
-            logs.push(RobotLog { log, rule, cells });
         }
     }
     Ok(logs)
 }
 
+/// What is run on a log: all sources of bounds on windows of a second by the right rule, the stated bounds otherwise; in quick mode the
+/// sharp fixes by the right rule only.
+fn wanted(quick: bool, rule: SpeedRule, window_s: f64) -> impl Iterator<Item = (Source, f64)> {
+    let ends = rule == SpeedRule::Ends;
+    let every = ends && window_s == WINDOWS_S[0];
+    let sources = Source::ALL.into_iter().filter(move |&source| every || source == Source::WholeLog);
+    let all = sources.flat_map(|source| FIX_BOUNDS_M.map(|fix_m| (source, fix_m)));
+    all.filter(move |&(_, fix_m)| !quick || (ends && fix_m == FIX_BOUNDS_M[1]))
+}
+
 fn cell(context: &Context<'_>, log: &Log, source: Source, fix_m: f64, runs: usize) -> Result<RobotCell, ScenarioError> {
     let bounds = source.bounds(log, fix_m);
-    let name = format!("guaranteed-invariant, log {}", log.number);
+    let name = format!("guaranteed-invariant, log {}, {} s", log.number, log.window_s);
     let runs = monte_carlo::run(context, &name, runs, |_, rng| {
         let mut noise = BoundedNoise::new(NoiseKind::Uniform, [fix_m; 2]);
         let truth = log.run(ARM_M, &bounds, source == Source::WholeLog, || noise.draw(rng))?;

@@ -26,7 +26,7 @@ pub fn rows(logs: &[RobotLog]) -> Vec<Row> {
 /// The name of a log read by a rule.
 #[must_use]
 pub fn log_label(log: &RobotLog) -> String {
-    format!("log {};{}", log.log.number, log.rule.name())
+    format!("log {};{};{} s windows", log.log.number, log.rule.name(), log.log.window_s)
 }
 
 fn log_rows(log: &RobotLog) -> Vec<Row> {
@@ -46,20 +46,21 @@ fn cell_rows(log: &RobotLog, cell: &RobotCell) -> Vec<Row> {
     let row = |metric: String, unit: &str| Row::new(WIDTHS, &*label, STRIPS).mode(Mode::Rigorous).metric(metric, unit);
     let end = log.log.increments.len();
     let mut rows = Vec::new();
-    let mut width = |name: &str, unit: &str, second: usize, of: fn(&LeverStep) -> f64| {
-        let samples: Vec<f64> = cell.runs.iter().filter_map(|run| run.at(second)).map(of).collect();
-        let at = if second == end { "end".to_owned() } else { format!("{second}s") };
+    let mut width = |name: &str, unit: &str, window: usize, of: fn(&LeverStep) -> f64| {
+        let samples: Vec<f64> = cell.runs.iter().filter_map(|run| run.at(window)).map(of).collect();
+        let at = if window == end { "end".to_owned() } else { format!("{}s", window as f64 * log.log.window_s) };
         rows.push(row(format!("width({name})@{at}"), unit).mean_of(&samples));
     };
-    for second in LOOKED_AT_S.into_iter().chain([end]) {
-        width("theta", "rad", second, |step| step.heading_rad);
-        width("s", "", second, |step| step.scale.width());
+    let per_window = log.log.window_s as usize;
+    for window in LOOKED_AT_S.into_iter().map(|second| second / per_window).chain([end]) {
+        width("theta", "rad", window, |step| step.heading_rad);
+        width("s", "", window, |step| step.scale.width());
     }
     width("X1", "m", end, |step| step.arm_m[0].width());
     width("X2", "m", end, |step| step.arm_m[1].width());
     width("x area", "m^2", end, |step| step.area);
     rows.extend(scale_rows(cell, log.log.scale, end, &row));
-    rows.extend(verdict_rows(cell, &row));
+    rows.extend(verdict_rows(log.log.window_s, cell, &row));
     rows
 }
 
@@ -78,14 +79,14 @@ fn scale_rows(cell: &RobotCell, scale: f64, end: usize, row: &dyn Fn(String, &st
 }
 
 /// With bounds that hold: containment. With others: when the filter proves that they do not, and whether the reference was lost before.
-fn verdict_rows(cell: &RobotCell, row: &dyn Fn(String, &str) -> Row) -> Vec<Row> {
+fn verdict_rows(window_s: f64, cell: &RobotCell, row: &dyn Fn(String, &str) -> Row) -> Vec<Row> {
     let mut rows: Vec<Row> = containment_of(&cell.runs)
         .into_iter()
         .map(|(metric, unit, value)| row(metric.to_owned(), unit).value(value))
         .collect();
     if cell.source != Source::WholeLog {
         let seconds = |of: fn(&LeverRun) -> Option<usize>| -> Vec<f64> {
-            cell.runs.iter().filter_map(of).map(|second| second as f64).collect()
+            cell.runs.iter().filter_map(of).map(|window| window as f64 * window_s).collect()
         };
         rows.push(row("contradiction-step".to_owned(), "s").mean_of(&seconds(|run| run.contradiction)));
         let lost = seconds(LeverRun::lost);

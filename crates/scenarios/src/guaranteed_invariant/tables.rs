@@ -127,7 +127,8 @@ pub fn broken(studies: &[Broken]) -> Vec<Row> {
 /// Problem 3: widths, and how they stand to the prototype's.
 #[must_use]
 pub fn lever(studies: &[Runs]) -> Vec<Row> {
-    SETTINGS.iter().zip(studies).flat_map(|(setting, runs)| lever_rows(setting, runs)).collect()
+    let run = SETTINGS.iter().zip(studies).filter(|(_, runs)| !runs.is_empty());
+    run.flat_map(|(setting, runs)| lever_rows(setting, runs)).collect()
 }
 
 fn lever_rows(setting: &Setting, runs: &[LeverRun]) -> Vec<Row> {
