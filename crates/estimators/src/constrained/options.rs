@@ -90,17 +90,23 @@ impl CzOptions {
         }
     }
 
-    /// CZFO: the first-order extension about C3, reduced after every part of a step, with two candidates for each of the last eliminations:
-    /// its sets have a hundred columns and more, of which estimates know little. Four make it tighter by some more, and slower. With `None` sets
-    /// are never reduced, and soon too large.
+    /// CZFO: the first-order extension about C3, reduced after every part of a step; with `None` sets are never reduced, and soon too large.
     #[must_use]
     pub fn czfo(limit: Option<Complexity>) -> Self {
         Self {
             extension: Extension::FirstOrder,
             expansion: Expansion::SetCenter,
-            reduction: ReductionPolicy { candidates: 2, ..ReductionPolicy::new(limit, ReduceAfter::EveryPart) },
+            reduction: ReductionPolicy::new(limit, ReduceAfter::EveryPart),
             ..Self::czmv(limit)
         }
+    }
+
+    /// The same with eliminations that compare some candidates ([`ReductionPolicy::candidates`]): tighter for CZFO, whose sets have a hundred
+    /// columns and more, of which the paper's estimate knows little. Four are a good choice.
+    #[must_use]
+    pub fn with_candidates(mut self, candidates: usize) -> Self {
+        self.reduction.candidates = candidates;
+        self
     }
 
     /// The same with the consistency step: "+C".

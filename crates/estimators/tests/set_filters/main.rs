@@ -7,6 +7,7 @@ mod constrained;
 mod delayed;
 mod endurance;
 mod faults;
+mod hard_starts;
 mod linear;
 mod outliers;
 mod plants;

@@ -68,6 +68,9 @@ fn warm_enclosures_allocate_nothing() {
         quadratic.image_in_place(&mut set, &mut w).unwrap();
         set.clone_from(&start);
         quadratic.intersect(&mut set, &values, &mut w).unwrap();
+        quadratic.box_curvature(&mut w).unwrap();
+        set.clone_from(&start);
+        quadratic.intersect(&mut set, &values, &mut w).unwrap();
         set.center()[0]
     };
     let expected: f64 = (0..10).map(|_| step()).sum();

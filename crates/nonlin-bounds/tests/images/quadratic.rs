@@ -51,11 +51,21 @@ fn images_and_solutions_contain_exact_ones() {
             let context = || format!("{copies:?}, seed {SEED}+4 case {case}: {f:?} {set:?} {at:?}");
             let enclosure = QuadraticEnclosure::new(&f, &set, &Domain::new(&hull, &at), copies, &mut w).unwrap();
             let image = enclosure.image(&set, &mut w).unwrap();
+            let mut boxed = enclosure.clone();
+            boxed.box_curvature(&mut w).unwrap();
+            assert_eq!((boxed.curvature().num_generators(), boxed.curvature().num_constraints()), (0, 0));
+            let boxed_image = boxed.image(&set, &mut w).unwrap();
             for member in &members {
                 let y = values(&f, &member.x);
                 let mut cut = set.clone();
                 let sides: Vec<Interval> = y.iter().map(|y| around(y, 0.0, random.unit().abs())).collect();
                 enclosure.intersect(&mut cut, &sides, &mut w).unwrap();
+                let mut boxed_cut = set.clone();
+                boxed.intersect(&mut boxed_cut, &sides, &mut w).unwrap();
+                // No column but those of the set's own remainder.
+                assert!(boxed_cut.num_generators() <= set.num_generators() + n);
+                refute(&boxed_cut, &member.x, &mut w, &context);
+                refute(&boxed_image, &y, &mut w, &context);
                 let tail = coordinates(&set, member, copies);
                 if enclosure.curvature().num_generators() == tail.len() {
                     explicit += 1;

@@ -15,7 +15,9 @@ pub const PRINTED_NOISE: f64 = 0.15;
 /// The bound at which all of its Table 3 comes out.
 pub const SMALLER_NOISE: f64 = 0.10;
 /// Our filters: with linear programs, without.
-pub const OURS: [&str; 2] = ["rcz", "rcz/cheap"];
+pub const RANGED: [&str; 2] = ["rcz", "rcz/cheap"];
+/// What is not the paper's: its first-order filters with our eliminations, and our filters.
+pub const OURS: [&str; 5] = ["czfo/compared", "czfo+c/compared", "czfo+fc/compared", RANGED[0], RANGED[1]];
 
 /// The names of all filters: those of the paper, then ours.
 #[must_use]

@@ -66,6 +66,9 @@ fn settings(scale: &Scale, truth_width: f64) -> Vec<String> {
         "12 generators and 5 constraints, as in the paper (ranged constraints here, which need no slack generators); Rcz is re-encoded to 4 \
          generators and 5 constraints."
             .to_owned(),
+        "CZFO takes the quadratic term by its hull in an update (the paper: with its generators), which is tighter after the reduction; `/compared` \
+         (ours) are the same filters whose last three eliminations of a reduction are the best of four candidates by linear programs."
+            .to_owned(),
         "`published` (zonotope filters only): the same filters on (19) as it is printed, where `p` stands twice in `sin(p) / p`. The instability \
          of the paper's zonotope filters is largely that dependency."
             .to_owned(),

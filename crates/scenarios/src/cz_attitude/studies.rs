@@ -1,6 +1,6 @@
 //! The Monte Carlo runs of the experiment.
 
-use super::contenders::{OURS, PRINTED_NOISE, SMALLER_NOISE, all, is_zonotopic, published, rigorous};
+use super::contenders::{OURS, PRINTED_NOISE, RANGED, SMALLER_NOISE, all, is_zonotopic, published, rigorous};
 use super::paper::METHODS;
 use super::simulation::simulate;
 use crate::noise::NoiseKind;
@@ -41,7 +41,7 @@ impl Scale {
     pub fn of(context: &Context<'_>) -> Self {
         let runs = context.runs_or(100, 2);
         let (table_runs, steps, watched_steps) =
-            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(6), TABLE_STEPS, 20) };
+            if context.quick { (runs.min(1), JUDGED, 5) } else { (runs.min(6), TABLE_STEPS, 12) };
         Self { runs, table_runs, steps, search_steps: JUDGED, watched_steps }
     }
 }
@@ -138,7 +138,7 @@ impl Studies {
         Ok(Self {
             search: search.collect::<Result<_, _>>()?,
             tables,
-            larger: some(LARGER_NOISE, scale.table_runs, LARGER_STEPS, &OURS)?,
+            larger: some(LARGER_NOISE, scale.table_runs, LARGER_STEPS, &RANGED)?,
             containment: KINDS.into_iter().map(watched).collect::<Result<_, ScenarioError>>()?,
         })
     }

@@ -6,6 +6,9 @@ use setrep::{Complexity, ConstrainedZonotope, Strip, Zonotope};
 use super::Contender;
 use crate::{Mode, ScenarioError};
 
+/// How many candidates filters named `/compared` compare.
+pub const CANDIDATES: usize = 4;
+
 /// What all filters of a study are given.
 #[derive(Debug, Clone)]
 pub struct Case {
@@ -20,13 +23,14 @@ pub struct Case {
 }
 
 impl Case {
-    /// The filter of a name: `zmv`, `zfo`, `czmv`, `czfo`, each alone or with `+c`, `+f`, `+fc`; `rcz`, and `rcz/cheap`, which solves no linear
-    /// programs. None for other names.
+    /// The filter of a name: `zmv`, `zfo`, `czmv`, `czfo`, each alone or with `+c`, `+f`, `+fc`, the last two also with `/compared` behind it,
+    /// for eliminations that compare [`CANDIDATES`]; `rcz`, and `rcz/cheap`, which solves no linear programs. None for other names.
     ///
     /// # Errors
     /// None: a system fits its own noises.
     pub fn contender(&self, name: &str, mode: Mode) -> Result<Option<Contender>, EstimatorError> {
-        let (family, parts) = name.split_once('+').unwrap_or((name, ""));
+        let (paper, candidates) = name.strip_suffix("/compared").map_or((name, 1), |paper| (paper, CANDIDATES));
+        let (family, parts) = paper.split_once('+').unwrap_or((paper, ""));
         if !["", "c", "f", "fc"].contains(&parts) {
             return Ok(None);
         }
@@ -36,7 +40,7 @@ impl Case {
             case.system = with_noise_generators(case.system)?;
         }
         Ok(Some(match family {
-            "zmv" | "zfo" => {
+            "zmv" | "zfo" if candidates == 1 => {
                 let limit = self.limit.generators;
                 let options = if family == "zmv" { ZonotopeOptions::zmv(limit) } else { ZonotopeOptions::zfo(limit) };
                 let options = ZonotopeOptions { consistency: parts.contains('c'), ..options.with_feasible(feasible) };
@@ -48,11 +52,12 @@ impl Case {
                 let limit = Some(self.limit);
                 let options = if family == "czmv" { CzOptions::czmv(limit) } else { CzOptions::czfo(limit) };
                 let options = CzOptions { consistency: parts.contains('c'), ..options.with_feasible(feasible) };
+                let options = options.with_candidates(candidates);
                 Contender::new(name, mode, move |()| {
                     Ok(Box::new(CzFilter::new(case.system.clone(), case.constrained(), options.clone())?))
                 })
             }
-            "rcz" | "rcz/cheap" if parts.is_empty() => {
+            "rcz" | "rcz/cheap" if parts.is_empty() && candidates == 1 => {
                 let n = self.system.states();
                 let options = if family == "rcz" { RczOptions::fast(n) } else { RczOptions::cheap(n) };
                 Contender::new(name, mode, move |()| {

@@ -6,8 +6,10 @@ use crate::figure::{Look, Panel, Series};
 /// Colour by family, dash by what is added to it.
 #[must_use]
 pub fn look(method: &str) -> Look {
+    let (method, compared) = method.strip_suffix("/compared").map_or((method, false), |method| (method, true));
     let (family, part) = method.split_once(['+', '/']).unwrap_or((method, ""));
     let color = match family {
+        _ if compared => 3,
         "zmv" => 4,
         "zfo" => 5,
         "czmv" => 2,

@@ -52,16 +52,19 @@ fn zonotope_columns_of_table_3() {
 /// The consistency step gains at the printed bound what the paper says, and CZMV+FC converges for most seeds.
 #[test]
 fn constrained_columns_at_the_printed_bound() {
-    let (steps, count) = (30, 3);
-    let czfo = runs(PRINTED_NOISE, "czfo", steps, count);
-    for method in ["czfo+c", "czfo+fc"] {
-        let ratios: Vec<f64> = runs(PRINTED_NOISE, method, steps, count)
-            .iter()
-            .zip(&czfo)
-            .map(|(of, over)| average_ratio(of, over))
-            .collect();
-        println!("{method} over czfo: {ratios:.3?}");
-        assert!((0.40..=0.80).contains(&mean(&ratios)), "{method}: {ratios:?}");
+    // Runs of different lengths of their average: the paper's estimate lets CZFO drift, comparison does not.
+    for (kind, steps, count) in [("", 40, 6), ("/compared", 120, 2)] {
+        let czfo = runs(PRINTED_NOISE, &format!("czfo{kind}"), steps, count);
+        for parts in ["c", "fc"] {
+            let method = format!("czfo+{parts}{kind}");
+            let ratios: Vec<f64> = runs(PRINTED_NOISE, &method, steps, count)
+                .iter()
+                .zip(&czfo)
+                .map(|(of, over)| average_ratio(of, over))
+                .collect();
+            println!("{method}: {ratios:.3?}");
+            assert!((0.55..=0.80).contains(&mean(&ratios)), "{method}: {ratios:?}");
+        }
     }
     let at_16: Vec<f64> = runs(PRINTED_NOISE, "czmv+fc", 16, 10).iter().map(|run| run[16]).collect();
     println!("czmv+fc at 16: {at_16:.3?}");
@@ -94,7 +97,7 @@ fn rcz_converges_in_every_run() {
 
 #[test]
 fn rcz_is_tighter_than_czfo_with_consistency() {
-    let (ours, rival) = (runs(PRINTED_NOISE, "rcz", 40, 4), runs(PRINTED_NOISE, "czfo+c", 40, 4));
+    let (ours, rival) = (runs(PRINTED_NOISE, "rcz", 40, 6), runs(PRINTED_NOISE, "czfo+c", 40, 6));
     let ratios: Vec<f64> = ours.iter().zip(&rival).map(|(of, over)| average_ratio(of, over)).collect();
     println!("{ratios:.3?}");
     assert!(mean(&ratios) <= 0.86, "{ratios:?}");

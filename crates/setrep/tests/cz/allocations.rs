@@ -32,6 +32,9 @@ fn a_warm_step_allocates_nothing() {
         for method in [Reduction::Method4, Reduction::Girard, Reduction::Combastel, Reduction::Pca] {
             reduced.clone_from(&set);
             reduced.reduce(Complexity { generators: 9, constraints: 4 }, method, &mut workspace).unwrap();
+            reduced.clone_from(&set);
+            let limit = Complexity { generators: 9, constraints: 2 };
+            reduced.reduce_comparing(limit, method, 3, &mut workspace).unwrap();
         }
         directions.transport(&map, &mut workspace).unwrap();
         directions.push_rows(&c).unwrap();

@@ -20,7 +20,7 @@ fn eliminations_contain_the_set() {
         let (set, member) = constrained(&mut random, n, m, rows);
         let limit = random.below(rows);
         let mut reduced = set.clone();
-        reduced.eliminate_constraints(limit, &mut workspace).unwrap();
+        reduced.eliminate_comparing(limit, case % 4, &mut workspace).unwrap();
         assert!(reduced.num_constraints() <= limit && reduced.num_generators() <= m);
         let context = || format!("seed {SEED}+50 case {case}: {set:?} {reduced:?} {member:?}");
         assert_not_refuted(&reduced, &member.x, &mut random, &mut workspace, &context);
@@ -36,7 +36,7 @@ fn reductions_contain_the_set_within_the_limit() {
         let (set, member) = constrained(&mut random, n, m, rows);
         let limit = Complexity { generators: n + random.below(6), constraints: random.below(4) };
         let mut reduced = set.clone();
-        reduced.reduce(limit, METHODS[case % 4], &mut workspace).unwrap();
+        reduced.reduce_comparing(limit, METHODS[case % 4], case % 3, &mut workspace).unwrap();
         assert!(reduced.num_generators() <= limit.generators && reduced.num_constraints() <= limit.constraints);
         let context = || format!("seed {SEED}+51 case {case}: {limit:?} {set:?} {reduced:?} {member:?}");
         assert_not_refuted(&reduced, &member.x, &mut random, &mut workspace, &context);
@@ -107,6 +107,38 @@ fn reductions_lose_little() {
     assert!(mean.iter().all(|&g| (1.0..2.0).contains(&g)), "{mean:?}");
 }
 
+/// A single elimination by comparison leaves no larger hull than that by the estimate, and many are far smaller.
+#[test]
+fn comparing_candidates_pays() {
+    let mut workspace = Workspace::new();
+    let (mut sum, mut count) = (0.0, 0.0);
+    for case in 0..cases(100) {
+        let mut random = Random::new(SEED + 54, case);
+        let (n, m, rows) = (3, 15, 5);
+        let mut matrix = |rows: usize, cols: usize| {
+            let entries: Vec<f64> = (0..rows * cols).map(|_| random.moderate()).collect();
+            Matrix::from_column_slice(rows, cols, &entries).unwrap()
+        };
+        let (g, a) = (matrix(n, m), matrix(rows, m));
+        let band = Interval::point(0.0).inflate(0.25);
+        let set = ConstrainedZonotope::new(&vec![0.0; n], &g, &a, &vec![band; rows]).unwrap();
+        let extents: Vec<f64> = set.unconstrained().interval_hull().iter().map(Interval::rad).collect();
+        let mut size = |candidates: usize| -> f64 {
+            let mut reduced = set.clone();
+            reduced.eliminate_comparing(rows - 1, candidates, &mut workspace).unwrap();
+            let hull = reduced.interval_hull(&mut workspace).unwrap();
+            hull.iter().zip(&extents).map(|(side, extent)| side.rad() / extent).sum()
+        };
+        let (estimated, of_four, of_all) = (size(1), size(4), size(m + rows));
+        assert!(of_four <= estimated * (1.0 + 1e-9) && of_all <= of_four * (1.0 + 1e-9), "case {case}");
+        sum += of_four / estimated;
+        count += 1.0;
+    }
+    let mean = sum / count;
+    eprintln!("mean ratio of the hulls: {mean:.3}");
+    assert!(mean < 0.99, "{mean}");
+}
+
 #[test]
 fn degenerate_sets_reduce() {
     let mut workspace = Workspace::new();
@@ -125,6 +157,9 @@ fn degenerate_sets_reduce() {
             reduced.reduce(tight, method, &mut workspace).unwrap();
             assert!(reduced.num_generators() <= 2 && reduced.num_constraints() == 0);
             assert!(reduced.unconstrained().radius() <= radius + 1e-12, "{set:?} {reduced:?}");
+            let mut compared = set.clone();
+            compared.reduce_comparing(tight, method, 9, &mut workspace).unwrap();
+            assert!(compared.unconstrained().radius() <= radius + 1e-12, "{set:?} {compared:?}");
         }
         let few = Complexity { generators: 1, constraints: 0 };
         let refused = set.clone().reduce(few, Reduction::Girard, &mut workspace);
