@@ -58,7 +58,7 @@ pub(crate) fn run_all<S: Probe>(subject: &Subject<S>) {
 }
 
 /// Random cases of a law.
-const BASE: usize = 500;
+const BASE: usize = 300;
 
 /// A tangent vector with log-uniform coordinates, rotation and log-scale below 3.
 fn tangent<S: Probe>(g: &Subject<S>, random: &mut Random) -> DVector<S> {

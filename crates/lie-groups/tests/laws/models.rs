@@ -29,10 +29,12 @@ fn a_constant_lever_arm_is_group_affine_in_the_plane() {
         let spread = check_autonomous(step, kind, &errors, &samples).unwrap();
         assert!(spread < 1e-13, "{kind:?}: {spread:e}");
     }
+    // The antenna at x + R l; a state moves it as R (l + y) + x.
     let antenna = |x: &TfgLever2<f64>| x.act(&x.body()[0]);
-    assert!(check_compatible_output(antenna, TfgLever2::act, &samples) < 1e-14);
-    // The position of the body's origin in the antenna's frame is no compatible output of this action.
-    assert!(check_compatible_output(|x: &TfgLever2<f64>| x.body()[0], TfgLever2::act, &samples) > 0.1);
+    let moved = |x: &TfgLever2<f64>, y: &Vector2<f64>| x.act(&(x.body()[0] + y));
+    assert!(check_compatible_output(antenna, moved, &samples) < 1e-14);
+    // The lever arm by itself is no compatible output of this action.
+    assert!(check_compatible_output(|x: &TfgLever2<f64>| x.body()[0], moved, &samples) > 0.1);
 }
 
 /// In space a constant body vector is not group affine, one that turns with the body is.
