@@ -99,7 +99,8 @@ macro_rules! against_sophus {
     ($name:literal, $ours:ty, $peer:ty, $kinds:literal) => {{
         let ours = Ours::<$ours, { $kinds.len() }>::new($kinds);
         // The peer orders tangent vectors as we do.
-        let peer_xis: Vec<_> = ours.xis.iter().map(|xi| VecF64::<{ $kinds.len() }>::from_column_slice(xi.as_slice())).collect();
+        let peer_xis: Vec<_> =
+            ours.xis.iter().map(|xi| VecF64::<{ $kinds.len() }>::from_column_slice(xi.as_slice())).collect();
         let peers: Vec<$peer> = peer_xis.iter().map(|xi| <$peer>::exp(*xi)).collect();
         let row = |what: &str, ours, theirs| versus(&format!("{}/{what}", $name), "sophus_lie", ours, theirs);
         vec![
