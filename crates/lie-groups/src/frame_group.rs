@@ -8,6 +8,9 @@ use crate::{Coeff, Complex, GroupError, LieGroup, SO2};
 /// A frame with the maps that carry vectors along: `(g, V(w), V(-w))` of an exponential, `(w, V(w)^-1, V(-w)^-1)` of a logarithm.
 pub type WithMaps<T, S, const D: usize> = (T, SMatrix<S, D, D>, SMatrix<S, D, D>);
 
+/// Parts of a left Jacobian: `Jl(w)` (`DG x DG`), `V(w)` (`D x D`) and what the coupling blocks need; or the inverses of them.
+pub type JacobianParts<S, T, const D: usize, const DG: usize> = (SMatrix<S, DG, DG>, SMatrix<S, D, D>, T);
+
 /// A group of dimension `DG` acting linearly on `R^D`: rotations, or rotations with a scale.
 ///
 /// `g * v` is the action ([`LieGroup::act`]), `w*` the matrix of an algebra element, `B(v)` the matrix with `B(v) w = w* v`
@@ -39,7 +42,7 @@ pub trait FrameGroup<S: Coeff, const D: usize, const DG: usize>: LieGroup<S, DG,
     fn log_maps(&self) -> Result<WithMaps<SVector<S, DG>, S, D>, GroupError>;
 
     /// `Jl(w)`, `V(w)` and what `Q` needs.
-    fn jl_parts(w: &SVector<S, DG>) -> (SMatrix<S, DG, DG>, SMatrix<S, D, D>, Self::Slopes);
+    fn jl_parts(w: &SVector<S, DG>) -> JacobianParts<S, Self::Slopes, D, DG>;
 
     /// `Q(w, u)` (`D x DG`): the block of the left Jacobian that couples a vector to the frame.
     fn coupling(slopes: &Self::Slopes, u: &SVector<S, D>) -> SMatrix<S, D, DG>;
@@ -48,9 +51,7 @@ pub trait FrameGroup<S: Coeff, const D: usize, const DG: usize>: LieGroup<S, DG,
     ///
     /// # Errors
     /// Those of [`LieGroup::jl_inv`].
-    fn jl_inv_parts(
-        w: &SVector<S, DG>,
-    ) -> Result<(SMatrix<S, DG, DG>, SMatrix<S, D, D>, Self::InverseSlopes), GroupError>;
+    fn jl_inv_parts(w: &SVector<S, DG>) -> Result<JacobianParts<S, Self::InverseSlopes, D, DG>, GroupError>;
 
     /// `-V(w)^-1 Q(w, u) Jl(w)^-1` (`D x DG`): the coupling block of the inverse left Jacobian.
     fn coupling_inv(slopes: &Self::InverseSlopes, u: &SVector<S, D>) -> SMatrix<S, D, DG>;
@@ -92,7 +93,7 @@ impl<S: Coeff> FrameGroup<S, 2, 1> for SO2<S> {
     }
 
     #[inline]
-    fn jl_parts(w: &SVector<S, 1>) -> (SMatrix<S, 1, 1>, SMatrix<S, 2, 2>, Complex<S>) {
+    fn jl_parts(w: &SVector<S, 1>) -> JacobianParts<S, Complex<S>, 2, 1> {
         let (phi1, phi2) = S::phi1_phi2(w[0]);
         (Self::jl(w), phi1.to_matrix(), phi2)
     }
@@ -104,7 +105,7 @@ impl<S: Coeff> FrameGroup<S, 2, 1> for SO2<S> {
     }
 
     #[inline]
-    fn jl_inv_parts(w: &SVector<S, 1>) -> Result<(SMatrix<S, 1, 1>, SMatrix<S, 2, 2>, Complex<S>), GroupError> {
+    fn jl_inv_parts(w: &SVector<S, 1>) -> Result<JacobianParts<S, Complex<S>, 2, 1>, GroupError> {
         let (psi1, psi2) = S::psi1_psi2(w[0])?;
         Ok((Self::jl(w), psi1.to_matrix(), psi2))
     }

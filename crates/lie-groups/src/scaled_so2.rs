@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 
-use crate::frame_group::WithMaps;
+use crate::frame_group::{JacobianParts, WithMaps};
 use crate::lie_group::checked_vee;
 use crate::{Coeff, Complex, FrameGroup, GroupError, LieGroup, RPlus, SO2};
 
@@ -178,7 +178,7 @@ impl<S: Coeff> FrameGroup<S, 2, 2> for ScaledSO2<S> {
     }
 
     #[inline]
-    fn jl_parts(w: &SVector<S, 2>) -> (SMatrix<S, 2, 2>, SMatrix<S, 2, 2>, Complex<S>) {
+    fn jl_parts(w: &SVector<S, 2>) -> JacobianParts<S, Complex<S>, 2, 2> {
         let (phi1, phi2) = S::scaled_phi1_phi2(w[1], w[0]);
         (identity(), phi1.to_matrix(), phi2)
     }
@@ -190,7 +190,7 @@ impl<S: Coeff> FrameGroup<S, 2, 2> for ScaledSO2<S> {
     }
 
     #[inline]
-    fn jl_inv_parts(w: &SVector<S, 2>) -> Result<(SMatrix<S, 2, 2>, SMatrix<S, 2, 2>, Complex<S>), GroupError> {
+    fn jl_inv_parts(w: &SVector<S, 2>) -> Result<JacobianParts<S, Complex<S>, 2, 2>, GroupError> {
         let (psi1, psi2) = S::scaled_psi1_psi2(w[1], w[0])?;
         Ok((identity(), psi1.to_matrix(), psi2))
     }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 use scalars::Scalar;
 
-use crate::frame_group::WithMaps;
+use crate::frame_group::{JacobianParts, WithMaps};
 use crate::lie_group::checked_vee;
 use crate::small::{apply, negated, part, put, sum, times};
 use crate::so3::{dot, rodrigues, skew, squared};
@@ -224,7 +224,7 @@ impl<S: Coeff> FrameGroup<S, 3, 4> for ScaledSO3<S> {
     }
 
     #[inline]
-    fn jl_parts(xi: &SVector<S, 4>) -> (SMatrix<S, 4, 4>, SMatrix<S, 3, 3>, ScaledSlopes<S>) {
+    fn jl_parts(xi: &SVector<S, 4>) -> JacobianParts<S, ScaledSlopes<S>, 3, 4> {
         let w = part(xi, 0);
         let maps = S::scaled_maps(xi[3], squared(&w));
         let (jl, v) = (SO3::jl(&w), combined(&w, maps.phi1));
@@ -251,9 +251,7 @@ impl<S: Coeff> FrameGroup<S, 3, 4> for ScaledSO3<S> {
     }
 
     #[inline]
-    fn jl_inv_parts(
-        xi: &SVector<S, 4>,
-    ) -> Result<(SMatrix<S, 4, 4>, SMatrix<S, 3, 3>, ScaledInverseSlopes<S>), GroupError> {
+    fn jl_inv_parts(xi: &SVector<S, 4>) -> Result<JacobianParts<S, ScaledInverseSlopes<S>, 3, 4>, GroupError> {
         let jl_inv = Self::jl_inv(xi)?;
         let (_, _, forth) = Self::jl_parts(xi);
         let v_inv = combined(&forth.w, inverted(forth.maps.phi1, squared(&forth.w)));

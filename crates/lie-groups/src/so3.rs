@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 use scalars::Scalar;
 
-use crate::frame_group::WithMaps;
+use crate::frame_group::{JacobianParts, WithMaps};
 use crate::lie_group::checked_vee;
 use crate::{Coeff, FrameGroup, GroupError, LieGroup};
 
@@ -244,7 +244,7 @@ impl<S: Coeff> FrameGroup<S, 3, 3> for SO3<S> {
     }
 
     #[inline]
-    fn jl_parts(w: &SVector<S, 3>) -> (SMatrix<S, 3, 3>, SMatrix<S, 3, 3>, SpinSlopes<S>) {
+    fn jl_parts(w: &SVector<S, 3>) -> JacobianParts<S, SpinSlopes<S>, 3, 3> {
         let coefficients = S::bc_slopes(squared(w));
         let v = rodrigues(w, coefficients[0], coefficients[1]);
         (v, v, (*w, coefficients))
@@ -268,9 +268,7 @@ impl<S: Coeff> FrameGroup<S, 3, 3> for SO3<S> {
     }
 
     #[inline]
-    fn jl_inv_parts(
-        w: &SVector<S, 3>,
-    ) -> Result<(SMatrix<S, 3, 3>, SMatrix<S, 3, 3>, SpinInverseSlopes<S>), GroupError> {
+    fn jl_inv_parts(w: &SVector<S, 3>) -> Result<JacobianParts<S, SpinInverseSlopes<S>, 3, 3>, GroupError> {
         let [e, eta] = S::e_slope(squared(w))?;
         let inverse = rodrigues(w, S::from_f64(-0.5), e);
         Ok((inverse, inverse, (*w, [e, eta])))

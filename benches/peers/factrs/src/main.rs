@@ -23,13 +23,17 @@ macro_rules! against_factrs {
         let peer_xis: Vec<VectorX> = ours.xis.iter().map(|xi| VectorX::from_column_slice(xi.as_slice())).collect();
         let peers: Vec<Peer> = peer_xis.iter().map(|xi| <Peer as Variable>::exp(xi.as_view())).collect();
         let row = |what: &str, ours, theirs| versus(&format!("{}/{what}", $name), "factrs", ours, theirs);
-        vec![
+        let mut rows = vec![
             row("exp", ours.on_xis(<$ours>::exp), each(peer_xis, |xi| <Peer as Variable>::exp(xi.as_view()))),
-            row("log", ours.on_elements(<$ours>::log), each(peers.clone(), |x| Variable::log(x))),
+            row("log", ours.on_elements(<$ours>::log), each(peers.clone(), Variable::log)),
             row("compose", ours.on_pairs(|(a, b)| a.compose(b)), each(pairs(&peers), |(a, b)| Variable::compose(a, b))),
-            row("inverse", ours.on_elements(<$ours>::inverse), each(peers.clone(), |x| Variable::inverse(x))),
-            row("adjoint", ours.on_elements(<$ours>::adjoint), each(peers, |x| MatrixLieGroup::adjoint(x))),
-        ]
+            row("inverse", ours.on_elements(<$ours>::inverse), each(peers.clone(), Variable::inverse)),
+        ];
+        // The adjoint of its SE2 indexes out of bounds (factrs 0.3.0).
+        if $name != "se2" {
+            rows.push(row("adjoint", ours.on_elements(<$ours>::adjoint), each(peers, |x| MatrixLieGroup::adjoint(x))));
+        }
+        rows
     }};
 }
 
@@ -51,7 +55,10 @@ fn main() {
     for mut bench in all() {
         if names.is_empty() || names.iter().any(|name| bench.name.starts_with(name.as_str())) {
             let row = bench.run(Budget::default());
-            println!("{:<20} {:>10.2}  {:<12} {:>10.2} {:>8.3}", row.name, row.ours_ns, row.peer, row.peer_ns, row.ratio);
+            println!(
+                "{:<20} {:>10.2}  {:<12} {:>10.2} {:>8.3}",
+                row.name, row.ours_ns, row.peer, row.peer_ns, row.ratio
+            );
         }
     }
     println!("ratio = peer / ours, both timed in alternating windows of this run");

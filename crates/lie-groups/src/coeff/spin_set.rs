@@ -112,7 +112,7 @@ impl Offset {
             return Self::none();
         }
         let radius = radius.min(length(vector));
-        if !(radius < std::f64::consts::PI) {
+        if radius >= std::f64::consts::PI {
             return Self::any();
         }
         let ball = Interval::lit(-radius, radius);
@@ -125,7 +125,7 @@ impl Offset {
         if [real, x, y, z].iter().any(Interval::is_empty) {
             return Self::none();
         }
-        if !(real.lo() > 0.0) {
+        if real.lo() <= 0.0 {
             return Self::any();
         }
         let tangent = [x / real, y / real, z / real];
@@ -143,7 +143,7 @@ impl Offset {
     /// The same with the roles of `a` and `b` exchanged.
     fn then(self, b: Self) -> Self {
         let sum = Interval::point(self.radius) + Interval::point(b.radius);
-        if !(sum.hi() < std::f64::consts::PI) {
+        if sum.hi() >= std::f64::consts::PI {
             return if self.vector[0].is_empty() || b.vector[0].is_empty() { Self::none() } else { Self::any() };
         }
         let bend = bend(sum) * Interval::point(self.radius.min(b.radius));
@@ -230,7 +230,7 @@ impl SpinSet {
         let total = self.offset().then(rounding);
         let start = start.map(Interval::point);
         let longest = squared(start).sqrt() + Interval::point(total.radius);
-        if !(longest.hi() < std::f64::consts::PI) {
+        if longest.hi() >= std::f64::consts::PI {
             let from = (squared(start).sqrt() - Interval::point(total.radius)).lo().max(0.0);
             return Err(GroupError::HalfTurn { theta_lo_rad: from, theta_hi_rad: longest.hi() });
         }

@@ -81,7 +81,7 @@ fn functions(g: &Subject, count: usize) {
         let inverse = match (g.boxed.jl_inv(&bounds), g.boxed.jr_inv(&bounds)) {
             (Ok(left), Ok(right)) => Some((left, right)),
             (Err(GroupError::FullTurn { .. }), Err(GroupError::FullTurn { .. })) => {
-                assert!(longest_turn(g.kinds, &bounds) > 6.283, "{bounds:?}");
+                assert!(longest_turn(g.kinds, &bounds) > std::f64::consts::TAU - 1e-9, "{bounds:?}");
                 None
             }
             other => panic!("{} at {bounds:?}: {other:?}", g.name),
@@ -140,7 +140,7 @@ fn operations(g: &Subject, count: usize) {
             }
             if let Some(log) = &log {
                 // The log has the angle in (-pi, pi): that of a larger angle is another vector.
-                if longest_turn(g.kinds, &xi.map(Interval::point)) < 3.14 {
+                if longest_turn(g.kinds, &xi.map(Interval::point)) < std::f64::consts::PI {
                     assert!(
                         xi.iter().zip(log.iter()).all(|(&v, range)| range.contains(v)),
                         "{}: {xi:?} is not in {log:?}",
@@ -218,7 +218,7 @@ fn matrices_and_quaternions_of_rotations() {
         for (w, image) in points.iter().zip(&images) {
             assert_eq!(image.escapes(&matrix), None, "{w:?} in {bounds:?}");
             assert_eq!(image.escapes(&again), None, "{w:?} in {bounds:?} by quaternions");
-            if let (Ok(log), true) = (&log, w.norm() < 3.14) {
+            if let (Ok(log), true) = (&log, w.norm() < std::f64::consts::PI) {
                 assert!(w.iter().zip(log.iter()).all(|(&v, range)| range.contains(v)), "{w:?} is not in {log:?}");
                 logs += 1;
             }
