@@ -19,6 +19,7 @@
 //! | [`DZb`] | the same | zonotope bundle | rigorous |
 //! | [`Comb`] | as its members | polytope, the intersection of their sets | as its members |
 //! | [`kalman`]: `Kf`, `Ekf`, `Ukf` | `R^N`, or a Lie group | mean and covariance | statistical |
+//! | [`kalman::wheels`]: `TfgIekf`, `ImperfectIekf`, `WheelEkf` | a wheeled robot, paper 002 | mean and covariance | statistical |
 //!
 //! Filters of a [`System`] are a [`SetFilter`] with a [`Method`]. All filters are an [`Estimator`]: [`predict`](Estimator::predict),
 //! [`update`](Estimator::update), or both in one [`step`](Estimator::step). What a set promises is its [`Guarantee`]; [`Guarantee::FirstOrder`] means that the state can leave

@@ -70,7 +70,7 @@ fn the_logs_with_unknown_wheels_and_antenna() {
         for case in &study.cases {
             let expected = if case.rule == Rule::Ends { ends } else { begins };
             assert!((case.fit.scale - expected).abs() < 1e-3, "{number}: {}", case.fit.scale);
-            assert!((case.bound / case.fix_m - 0.115).abs() < 0.015, "{}", case.bound);
+            assert!((case.bound / case.fix_m - 0.12).abs() < 0.016, "{}", case.bound);
             let share = |is: &dyn Fn(&Track) -> bool| percent(case.tracks(Method::Tfg), is);
             assert_eq!(share(&Track::reversed), 0.0);
             if case.fix_m < 0.1 {
@@ -96,10 +96,9 @@ fn in_space_the_lever_arm_is_not_group_affine() {
     assert!(tfg[0] < 1e-13 && tfg[1] > 1e-4 && tfg[2] > 5.0 * tfg[1] && tfg[3] > 0.1, "{tfg:?}");
     assert!(spreads("turned back", "tfg-iekf").iter().all(|spread| *spread < 1e-12));
     for method in ["iekf-imperfect", "ekf"] {
-        assert!(
-            spreads("constant", method).iter().zip(&tfg).all(|(other, tfg)| *other > 0.1 && other > tfg),
-            "{method}"
-        );
+        // A step of the drive turns by less than the third, 0.1 rad.
+        let all = spreads("constant", method);
+        assert!(all.iter().zip(&tfg).take(3).all(|(other, tfg)| *other > 0.1 && other > tfg), "{method}: {all:?}");
     }
     let cell = wheel_lever_3d::study::cell(&Context::new(1), wheel_lever_3d::study::LEVERS_M[0], 6).unwrap();
     assert!(cell.runs.iter().all(|[tfg, ..]| tfg.scale > 0.0));

@@ -139,8 +139,8 @@ pub fn describe(report: &mut Report, studies: &[Study], results: &Results) {
     for study in studies {
         report
             .paragraph(format!(
-                "Log {}. Convergence: heading within three standard deviations from second 20 on. The Cramer-Rao bound is that of fixes alone with \
-                 exact increments: no filter can be better on average.",
+                "Log {}. Convergence: heading within three standard deviations from second 20 on. The Cramer-Rao bound is that of fixes alone, \
+                 with exact increments and nothing known before; the first spread of the scale is knowledge, so a filter may say a little less.",
                 study.number
             ))
             .table(Table::pivot(results.table(&table(study.number))))
