@@ -53,7 +53,7 @@ impl Path {
 impl Sweep {
     /// The points `corners`, at most four, turned through `angles`.
     pub(super) fn new(angles: Interval, corners: &[Vector]) -> Self {
-        let whole = !(angles.width() <= WIDEST);
+        let whole = angles.is_empty() || angles.width() > WIDEST;
         let (first, last) = if whole {
             let any = [Interval::ONE, Interval::ZERO];
             (any, any)
