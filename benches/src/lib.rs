@@ -12,6 +12,7 @@ pub mod groups;
 pub mod growth;
 pub mod hulls;
 pub mod intervals;
+pub mod invariant_strips;
 pub mod lp_peers;
 pub mod polytopes;
 pub mod set_filters;
@@ -38,6 +39,7 @@ pub fn all() -> Vec<Bench> {
     benches.extend(constrained::benches());
     benches.extend(contract::benches());
     benches.extend(filters::benches());
+    benches.extend(invariant_strips::benches());
     benches.extend(set_filters::benches());
     benches.extend(polytopes::benches());
     benches

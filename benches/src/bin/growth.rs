@@ -1,10 +1,11 @@
-//! Draws how costs grow with the size: `growth DIR` writes `hull-growth` (interval hulls) and `step-growth` (filter steps) as SVG and CSV;
-//! `growth DIR hull` or `growth DIR step` one of them.
+//! Draws how costs grow with the size: `growth DIR` writes `hull-growth` (interval hulls) `step-growth` (filter steps) and `strips-growth` (steps of the filter
+//! of strips by its rows) as SVG and CSV;
+//! `growth DIR hull`, `growth DIR step` or `growth DIR strips` one of them.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use benches::{growth, step_growth};
+use benches::{growth, invariant_strips, step_growth};
 use scenarios::figure::Figure;
 
 fn main() -> ExitCode {
@@ -21,6 +22,9 @@ fn main() -> ExitCode {
     }
     if wanted("step") {
         figures.push(step_growth::figure(&step_growth::sweeps()));
+    }
+    if wanted("strips") {
+        figures.push(invariant_strips::growth_figure());
     }
     for figure in &figures {
         if let Err(error) = write(figure, &folder) {

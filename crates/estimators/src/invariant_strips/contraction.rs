@@ -89,7 +89,9 @@ impl InvariantStrips {
                 self.arc = left;
                 Ok(())
             }
-            None => Err(self.contradiction(Evidence::Propagation { hull: self.enclosure.fixed.as_flattened().to_vec() })),
+            None => {
+                Err(self.contradiction(Evidence::Propagation { hull: self.enclosure.fixed.as_flattened().to_vec() }))
+            }
         }
     }
 

@@ -29,7 +29,11 @@ impl InvariantStrips {
         for (m, measurement) in measurements.iter().enumerate() {
             for k in 0..4 {
                 let origin = Origin::Measured { step: self.step, entry: 2 * m + k / 2 };
-                self.push_measured(measurement, k, Tag { origin, class: 2 * (4 * m + k), born: self.instant, used: 0 })?;
+                self.push_measured(
+                    measurement,
+                    k,
+                    Tag { origin, class: 2 * (4 * m + k), born: self.instant, used: 0 },
+                )?;
             }
         }
         Ok(())

@@ -172,7 +172,8 @@ impl InvariantStrips {
         let remainder = corners.remainder();
         let mut farthest = 0.0_f64;
         for corner in corners.vertices().columns() {
-            let away = [0, 1].map(|k| (Interval::point(corner[k]) - Interval::point(point[k])).inflate(remainder[k]).sqr());
+            let away =
+                [0, 1].map(|k| (Interval::point(corner[k]) - Interval::point(point[k])).inflate(remainder[k]).sqr());
             farthest = farthest.max(sqrt_up(add_up(away[0].hi(), away[1].hi())));
         }
         Ok(farthest)

@@ -22,14 +22,12 @@
 use scalars::Interval;
 use scalars::rounding::{ETA, UNIT_ROUNDOFF, add_up, mul_up};
 
+use super::InvariantStrips;
 use super::arc::Arc;
 use super::increment::PlanarIncrement;
-use super::plane::{
-    Region, Vector, largest_modulus, modulus_up, middle, norm1, point, product, radius, sum, unit,
-};
-use super::sweep::Sweep;
-use super::InvariantStrips;
 use super::planar_box::check_bounded;
+use super::plane::{Region, Vector, largest_modulus, middle, modulus_up, norm1, point, product, radius, sum, unit};
+use super::sweep::Sweep;
 use crate::EstimatorError;
 use crate::error::check_finite;
 
@@ -119,8 +117,7 @@ impl InvariantStrips {
                 (self.enclosure.fixed[j][1] + scale * step[1]).inflate(spread([0.0, 1.0])),
             ];
             // The reach of q.
-            let wander = add_up(disc, add_up(modulus_up([along, across]), mul_up(
-                modulus_up(path_next), most)));
+            let wander = add_up(disc, add_up(modulus_up([along, across]), mul_up(modulus_up(path_next), most)));
             let growth = mul_up(farthest, wander);
             motion.reach[j] = self.reach[j].map(|side| side.inflate(growth));
             // Room for 128 steps like this one, the path growing to 64 of them on average.

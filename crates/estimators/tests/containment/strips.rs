@@ -209,7 +209,8 @@ fn there_is_no_estimate_to_depend_on() {
         widths
     };
     let plain = widths(Interval::ENTIRE, 0.0);
-    let others = [(Interval::new(-3.2, 3.2).unwrap(), 0.0), (Interval::new(5.0, 11.5).unwrap(), 0.0), (Interval::ENTIRE, 1e4)];
+    let others =
+        [(Interval::new(-3.2, 3.2).unwrap(), 0.0), (Interval::new(5.0, 11.5).unwrap(), 0.0), (Interval::ENTIRE, 1e4)];
     for (heading, offset) in others {
         for (k, (a, b)) in plain.iter().zip(widths(heading, offset)).enumerate() {
             // Caps are cut in directions relative to the first heading; they matter in the first steps only.

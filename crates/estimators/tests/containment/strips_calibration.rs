@@ -86,8 +86,7 @@ impl Truth {
 /// Runs 100 s and returns the filter, with heading widths at 10, 60 and 100 s.
 fn run(case: Case, seed: u64) -> (InvariantStrips, [f64; 3]) {
     let scale = Interval::new(0.8, 1.25).unwrap();
-    let prior =
-        PlanarBox::scale_and_lever_arm(Interval::ENTIRE, scale, [symmetric(10.0); 2], [symmetric(3.0); 2]);
+    let prior = PlanarBox::scale_and_lever_arm(Interval::ENTIRE, scale, [symmetric(10.0); 2], [symmetric(3.0); 2]);
     let mut filter = InvariantStrips::new(&prior, StripsOptions::calibration()).unwrap();
     let mut truth = Truth::new(case, seed);
     let mut widths = [0.0; 3];

@@ -33,7 +33,8 @@ fn supports_follow_the_rows() {
         let j = random.below(rows.len());
         rows.set_offset(j, rows.offsets()[j] + 0.05).unwrap();
         if round % 7 == 6 {
-            rows.reframe(&[side(3.0), Interval::new(2.5, 6.0).unwrap(), side(2e-3), side(30.0)], |_, _, h| *h += 0.01).unwrap();
+            rows.reframe(&[side(3.0), Interval::new(2.5, 6.0).unwrap(), side(2e-3), side(30.0)], |_, _, h| *h += 0.01)
+                .unwrap();
         }
         if rows.len() > 40 {
             rows.retain(|i| i % 3 != round % 3);
