@@ -11,9 +11,9 @@ use crate::guaranteed_invariant::settings::{PERIOD_S, SETTINGS};
 use crate::vehicle::PERIOD_S as STEP_S;
 
 /// Steps drawn one by one at the start; after them every [`STRIDE`]-th.
-const DENSE_STEPS: usize = 150;
+const DENSE_STEPS: usize = 100;
 /// Distance of the steps drawn later.
-const STRIDE: usize = 5;
+const STRIDE: usize = 10;
 /// Settings of Problem 3 that are drawn, as indices in [`SETTINGS`].
 const DRAWN_SETTINGS: [usize; 5] = [0, 2, 3, 5, 7];
 

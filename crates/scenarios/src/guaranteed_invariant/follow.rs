@@ -159,3 +159,33 @@ pub fn membership(filter: &InvariantStrips, state: &PlanarBox) -> Result<Members
         Membership::Undecided
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Context;
+    use crate::guaranteed_invariant::noise::{Drive, truth_of};
+
+    use super::*;
+
+    fn run(drive: Drive, excess: f64, steps: usize) -> StripRun {
+        let truth = truth_of(&Context::new(2), drive, excess, steps, 0).unwrap();
+        StripRun::new(&truth, Start::UnknownHeading, |_, _| Ok(())).unwrap()
+    }
+
+    /// From an unknown heading the truth is never proven outside, also by noises that keep it on the boundary, and the heading becomes known.
+    #[test]
+    fn short_runs_hold_the_truth() {
+        for drive in [Drive::Uniform, Drive::Vertex(5), Drive::Vertex(26)] {
+            let run = run(drive, 1.0, 60);
+            assert_eq!((run.contradiction, run.steps.len()), (None, 60));
+            assert!(run.steps.iter().all(|step| step.membership != Membership::ProvenOutside), "{}", drive.name());
+            assert!(run.steps[59].heading_width_rad < 1.5, "{}", run.steps[59].heading_width_rad);
+        }
+    }
+
+    /// Noises half as large again as their bounds are found out.
+    #[test]
+    fn broken_bounds_are_proven() {
+        assert!(run(Drive::Uniform, 1.5, 100).contradiction.is_some());
+    }
+}

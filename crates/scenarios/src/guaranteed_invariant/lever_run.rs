@@ -124,3 +124,25 @@ fn as_box(state: &TruePose, truth: &LeverTruth) -> PlanarBox {
     let arm = truth.constants.arm_m.map(Interval::point);
     PlanarBox::scale_and_lever_arm(theta, Interval::point(truth.constants.scale), [x1, x2], arm)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::guaranteed_invariant::lever::simulate;
+    use crate::guaranteed_invariant::settings::{FIX_EVERY, SETTINGS};
+    use crate::monte_carlo::stream;
+
+    use super::*;
+
+    /// Twenty seconds of Problem 3 on a slow circle: nothing is lost, and the scale is known better than before.
+    #[test]
+    fn a_short_run_holds_the_truth() {
+        let setting = SETTINGS[6];
+        let bounds = setting.step_bounds();
+        let increments = setting.increments()[..200].to_vec();
+        let noise = (setting.kind, &bounds);
+        let truth = simulate(setting.constants, increments, FIX_EVERY, noise, &mut stream(1, "short", 0)).unwrap();
+        let run = LeverRun::new(&truth, &bounds).unwrap();
+        assert_eq!((run.contradiction, run.lost(), run.steps.len()), (None, None, 20));
+        assert!(run.steps[19].scale.width() < 0.2, "{}", run.steps[19].scale);
+    }
+}
