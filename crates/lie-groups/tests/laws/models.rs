@@ -129,6 +129,6 @@ fn half_turns_have_quaternions() {
     for axis in [Vector3::x(), Vector3::y(), Vector3::z(), Vector3::new(0.6, -0.8, 0.0)] {
         let turn = SO3::exp(&(axis * angle));
         let again = SO3::from_matrix(&turn.rotation_matrix()).unwrap();
-        assert!((again.log().unwrap() - axis * angle5).norm() < 1e-12);
+        assert!((again.log().unwrap() - axis * angle).norm() < 1e-12);
     }
 }
