@@ -179,7 +179,7 @@ impl InvariantStrips {
         self.push_measurements(measurements)?;
         self.contract()?;
         let every = self.options.refresh as u64;
-        if every > 0 && self.instant % every == 0 {
+        if every > 0 && self.instant.is_multiple_of(every) {
             if self.options.aligned {
                 self.push_aligned(measurements)?;
             } else if self.arc.width() < REFRESH_WIDTH {

@@ -53,7 +53,7 @@ impl Path {
 impl Sweep {
     /// The points `corners`, at most four, turned through `angles`.
     pub(super) fn new(angles: Interval, corners: &[Vector]) -> Self {
-        let whole = !(angles.width() <= WIDEST);
+        let whole = angles.is_empty() || angles.width() > WIDEST;
         let (first, last) = if whole {
             let any = [Interval::ONE, Interval::ZERO];
             (any, any)
@@ -122,7 +122,7 @@ mod tests {
                 let steps = 4000;
                 let (mut most, mut most_abs) = (f64::NEG_INFINITY, 0.0_f64);
                 // Beyond the widest range the set counts as the whole turn.
-                let reach = if width > WIDEST { 6.2832 } else { width };
+                let reach = if width > WIDEST { core::f64::consts::TAU } else { width };
                 for corner in corners {
                     for j in 0..=steps {
                         let (s, c) = (lo + reach * f64::from(j) / f64::from(steps)).sin_cos();
