@@ -54,15 +54,18 @@ fn kept(evidence: &Evidence<'_>) -> String {
     evidence.levers.iter().flatten().for_each(|run| add(run.containment()));
     let runs = evidence.strips.iter().map(|cell| cell.runs.len()).sum::<usize>()
         + evidence.levers.iter().map(Vec::len).sum::<usize>();
-    let inside = 100.0 * all.inside as f64 / all.points.max(1) as f64;
+    let inside = if all.inside == all.points {
+        "all are proven to hold it".to_owned()
+    } else {
+        format!("{} are proven to hold it, at the others rounding leaves it open", all.inside)
+    };
     let holds = if all.not_outside == all.points {
         "The state was never lost"
     } else {
         "The state was lost, so the guarantee is broken"
     };
     format!(
-        "**{holds}**: {} of {} sets of {runs} runs do not exclude the truth, {inside:.2} % are proven to hold it (the others hold it up to the \
-         rounding of the comparison).",
+        "**{holds}**: {} of {} sets of {runs} runs do not exclude the truth; {inside}.",
         all.not_outside, all.points
     )
 }

@@ -80,7 +80,8 @@ fn robot(report: &mut Report, evidence: &Evidence<'_>, results: &Results) {
         .table(Table::pivot(results.table(WIDTHS)))
         .paragraph(
             "`width(s) of the bound on the speed`: scales for which the reference itself keeps the bounds on the displacements, so no filter with \
-             these bounds can be narrower, even with perfect fixes.",
+             these bounds can be narrower, even with perfect fixes. Where the scale stays at its prior the bounds on the increments are too large a share of \
+             the way driven (up to a quarter in a second): the heading stays about a radian wide, and a scale shows only along a known heading.",
         );
 }
 

@@ -62,9 +62,10 @@ impl Log {
         for (index, sample) in samples.iter().enumerate() {
             let due = samples[0].time_s + window_s * states.len() as f64;
             if sample.time_s >= due {
-                states.push(state(states.last(), sample));
+                let moved = increment(&samples[start..=index], rule);
+                states.push(state(states.last(), moved.turn_rad, sample));
                 if states.len() > 1 {
-                    increments.push(increment(&samples[start..=index], rule));
+                    increments.push(moved);
                 }
                 start = index;
             }
@@ -144,13 +145,10 @@ impl Log {
     }
 }
 
-/// The reference of a sample; its heading continues that of the state before.
-fn state(before: Option<&TruePose>, sample: &Sample) -> TruePose {
-    let wrapped = wrap_angle(sample.heading_rad);
-    let heading_rad = before.map_or(wrapped, |before| {
-        let last = before.heading.value();
-        last + wrap_angle(wrapped - last)
-    });
+/// The reference of a sample; of its headings modulo a turn the one nearest to that of the state before and the measured turn.
+fn state(before: Option<&TruePose>, turn_rad: f64, sample: &Sample) -> TruePose {
+    let expected = before.map_or(0.0, |before| before.heading.value() + turn_rad);
+    let heading_rad = expected + wrap_angle(sample.heading_rad - expected);
     TruePose { heading: Exact::new(heading_rad), ..TruePose::new(Pose { heading_rad, position: sample.position_m }) }
 }
 
@@ -210,6 +208,14 @@ mod tests {
         let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 1.0);
         assert_eq!((log.states.len(), log.increments.len()), (61, 60));
         assert!((log.scale - 0.95).abs() < 4e-3, "{}", log.scale);
+    }
+
+    /// A window may turn by more than half a turn.
+    #[test]
+    fn long_windows_count_their_turns() {
+        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 15.0);
+        let [turn, ..] = log.worst(log.increments.len());
+        assert!(turn < 1e-9 && log.increments.len() == 4, "{turn}");
     }
 
     /// The stated bounds hold by construction; half of them do not.
