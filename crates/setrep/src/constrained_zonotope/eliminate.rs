@@ -58,7 +58,7 @@ impl ConstrainedZonotope {
     ///     set.intersect_half_space(&[1.0, f64::from(k) - 2.5], 1.0, &mut workspace)?;
     /// }
     /// set.eliminate_comparing(2, 4, &mut workspace)?;
-    /// assert_eq!(set.num_constraints(), 2);
+    /// assert!(set.num_constraints() <= 2);
     /// # Ok::<(), setrep::SetError>(())
     /// ```
     pub fn eliminate_comparing(
