@@ -6,7 +6,7 @@ use estimators::{
 };
 use scalars::Interval;
 
-use crate::support::Random;
+use crate::support::{Random, cases};
 
 /// Bound of each odometry noise, per step; of each measurement noise.
 const ODOMETRY: f64 = 1e-3;
@@ -190,6 +190,14 @@ fn sets_are_small() {
     assert!(means.late_heading < 0.53 && means.late_area < 4.0001, "{means:?}");
     let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Vertices, 1), 400);
     assert!(means.late_heading < 0.03 && means.late_area < 0.001, "{means:?}");
+}
+
+/// A run of any length, a million steps with `ORBITOPE_CASES=1000`: rows and sets stay as they are after a thousand.
+#[test]
+fn long_runs_stay_small() {
+    let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Dwelling, 5), cases(1000));
+    println!("{means:?}");
+    assert!(means.rows <= 210 && means.late_heading < 0.4 && means.late_area < 1.0, "{means:?}");
 }
 
 /// The set does not depend on where the coordinates begin, nor on how "unknown" is written.
