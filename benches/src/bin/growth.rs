@@ -1,6 +1,5 @@
-//! Draws how costs grow with the size: `growth DIR` writes `hull-growth` (interval hulls) `step-growth` (filter steps) and `strips-growth` (steps of the filter
-//! of strips by its rows) as SVG and CSV;
-//! `growth DIR hull`, `growth DIR step` or `growth DIR strips` one of them.
+//! Draws how costs grow with the size: `growth DIR` writes `hull-growth` (interval hulls), `step-growth` (filter steps) and `strips-growth`
+//! (steps of the filter of strips by its rows) as SVG and CSV; `growth DIR hull`, `growth DIR step` or `growth DIR strips` one of them.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -91,6 +91,8 @@ impl CzOptions {
     }
 
     /// CZFO: the first-order extension about C3, reduced after every part of a step; with `None` sets are never reduced, and soon too large.
+    ///
+    /// In updates the quadratic term enters by its hull; [`Curvature::Generators`] is the paper's.
     #[must_use]
     pub fn czfo(limit: Option<Complexity>) -> Self {
         Self {

@@ -230,8 +230,9 @@ impl Estimator for InvariantStrips {
     type Set = PlanarBox;
 
     fn predict(&mut self, input: &PlanarIncrement) -> Result<(), EstimatorError> {
-        input.check(self.enclosure.fixed.len())?;
-        self.transport(input)
+        self.plan(input)?;
+        self.transport();
+        Ok(())
     }
 
     /// Corrects the set by all measurements of one instant; none at all change nothing.
@@ -242,8 +243,8 @@ impl Estimator for InvariantStrips {
             return Ok(());
         }
         self.programs = 0;
-        self.instant += 1;
         self.fit_box()?;
+        self.instant += 1;
         let kept = self.rows.len();
         self.before.arc = self.arc;
         self.before.axis = self.axis;
@@ -264,7 +265,8 @@ impl Estimator for InvariantStrips {
 
     /// The update of `x_k` by `y_k`, then the prediction of `x_k+1`.
     fn step(&mut self, input: &PlanarIncrement, output: &[PlanarMeasurement]) -> Result<(), EstimatorError> {
-        input.check(self.enclosure.fixed.len())?;
+        // What the set before the update can do, the one after it can: it is smaller.
+        self.plan(input)?;
         self.update(output)?;
         self.predict(input)
     }

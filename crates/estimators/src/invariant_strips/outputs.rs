@@ -136,7 +136,7 @@ impl InvariantStrips {
     /// **Guarantee:** superset of the positions of the set.
     ///
     /// # Errors
-    /// No such vector, fewer than 3 directions.
+    /// No such vector, fewer than 3 directions, positions that overflow, [`EstimatorError::Inconsistent`] if it turns out here that nothing is left.
     pub fn polygon(&mut self, vector: usize, directions: usize) -> Result<HPolytope, EstimatorError> {
         if vector >= self.enclosure.fixed.len() {
             let expected = self.enclosure.fixed.len();
@@ -165,7 +165,7 @@ impl InvariantStrips {
     /// **Guarantee:** no state of the set is farther away; the corners of a polygon of 16 half-planes are, if anything.
     ///
     /// # Errors
-    /// A point that is not finite.
+    /// A point that is not finite; as [`polygon`](Self::polygon).
     pub fn max_distance_from(&mut self, point: [f64; 2]) -> Result<f64, EstimatorError> {
         check_finite("point", &point)?;
         let corners = self.polygon(0, DISTANCE_DIRECTIONS)?.to_v_polytope()?;
@@ -187,7 +187,7 @@ impl InvariantStrips {
     /// **Guarantee:** superset of the embedded set.
     ///
     /// # Errors
-    /// Rows that overflow.
+    /// A box that overflows.
     pub fn polytope(&mut self) -> Result<HPolytope, EstimatorError> {
         self.start_anew()?;
         self.with_derived(|set| Ok(set.rows.to_polytope()?))
@@ -199,8 +199,7 @@ impl InvariantStrips {
         question: impl FnOnce(&mut Self) -> Result<T, EstimatorError>,
     ) -> Result<T, EstimatorError> {
         let programs = self.programs;
-        self.push_derived()?;
-        let answer = question(self);
+        let answer = self.push_derived().and_then(|()| question(self));
         self.drop_derived();
         self.programs = programs;
         answer

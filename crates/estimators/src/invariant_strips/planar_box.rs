@@ -68,22 +68,29 @@ impl PlanarBox {
     }
 
     /// The box of the position.
+    ///
+    /// # Panics
+    /// If there is no vector of the world, as indexing a slice does; a filter always has one.
     #[must_use]
     pub fn position(&self) -> &[Interval; 2] {
         &self.fixed[0]
     }
 
     /// Area of the box of the position, rounded up.
+    ///
+    /// # Panics
+    /// As [`position`](Self::position).
     #[must_use]
     pub fn position_area(&self) -> f64 {
         let [x, y] = self.fixed[0];
         scalars::rounding::mul_up(x.width(), y.width())
     }
 
-    /// Width of the heading, at most `2 pi` (rounded up).
+    /// Width of the heading, at most `2 pi` (rounded up); NaN for an empty one.
     #[must_use]
     pub fn heading_width_rad(&self) -> f64 {
-        self.heading_rad.width().min(2.0 * Interval::PI.hi())
+        let (width, turn) = (self.heading_rad.width(), 2.0 * Interval::PI.hi());
+        if width > turn { turn } else { width }
     }
 
     /// The two ends of the heading, each reduced to about `(-pi, pi]`; the heading runs counterclockwise from the first to the second.

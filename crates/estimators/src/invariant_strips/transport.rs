@@ -52,6 +52,9 @@ pub(super) struct Motion {
     /// Room for the coordinates to drift.
     drift: Vec<f64>,
     reach: Vec<Region>,
+    /// `theta_hat` after the step, and the largest turn by its noise.
+    reference: f64,
+    most: f64,
 }
 
 impl Motion {
@@ -64,19 +67,21 @@ impl Motion {
             turned: vec![region; body],
             drift: vec![0.0; fixed],
             reach: vec![region; fixed],
+            reference: 0.0,
+            most: 0.0,
         }
     }
 }
 
 impl InvariantStrips {
-    /// Moves the set by a step whose input has been checked; nothing changes on an error.
-    pub(super) fn transport(&mut self, input: &PlanarIncrement) -> Result<(), EstimatorError> {
+    /// Prepares a step; only the scratch changes.
+    pub(super) fn plan(&mut self, input: &PlanarIncrement) -> Result<(), EstimatorError> {
+        input.check(self.enclosure.fixed.len())?;
         let turn = input.turn + input.turn_noise;
         let reference = self.reference + turn.mid();
         check_finite("turn", &[reference])?;
         let alpha = turn - (Interval::point(reference) - Interval::point(self.reference));
         let most = alpha.mag();
-        let arc = self.arc.widened(most);
         let scale = self.enclosure.scale;
         let farthest = scale.hi();
 
@@ -133,9 +138,16 @@ impl InvariantStrips {
             *next = now.map(|side| side.inflate(slip));
         }
 
-        // No error from here on.
-        let swing = Sweep::new(self.arc.angles().inflate(0.5 * most), &[[0.0, 1.0]]);
+        motion.reference = reference;
+        motion.most = most;
+        Ok(())
+    }
+
+    /// Takes the step that has been prepared.
+    pub(super) fn transport(&mut self) {
+        let (reference, most) = (self.motion.reference, self.motion.most);
         let half = 0.5 * most;
+        let swing = Sweep::new(self.arc.angles().inflate(half), &[[0.0, 1.0]]);
         self.move_rows(&swing, most, half);
         core::mem::swap(&mut self.path, &mut self.motion.path);
         core::mem::swap(&mut self.enclosure.fixed, &mut self.motion.fixed);
@@ -143,10 +155,9 @@ impl InvariantStrips {
         core::mem::swap(&mut self.drift, &mut self.motion.drift);
         core::mem::swap(&mut self.reach, &mut self.motion.reach);
         self.reference = reference;
-        self.arc = arc;
+        self.arc = self.arc.widened(most);
         self.enclosure.heading_rad = self.heading();
         self.step += 1;
-        Ok(())
     }
 
     /// Adds to every row what the noise of the step can take from it.

@@ -106,13 +106,13 @@ where
     /// degrees of freedom: for `p` = 99 % these are 6.63, 9.21, 11.34, 13.28 for `M` = 1 to 4, for 99.9 % 10.83, 13.82, 16.27, 18.47.
     ///
     /// # Errors
-    /// [`EstimatorError::EmptyRange`] for a limit that is NaN or not positive.
+    /// [`EstimatorError::NotPositive`] for a limit that is NaN or not positive.
     pub fn with_gate(mut self, limit: f64) -> Result<Self, EstimatorError> {
         if limit > 0.0 {
             self.gate = limit;
             Ok(self)
         } else {
-            Err(EstimatorError::EmptyRange { what: "gate", index: 0 })
+            Err(EstimatorError::NotPositive { what: "gate", index: 0, value: limit })
         }
     }
 

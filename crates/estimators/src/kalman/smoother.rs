@@ -22,6 +22,8 @@ use crate::EstimatorError;
 /// smoothed one is positive semidefinite. On a curved space means and corrections live in the coordinates of the chart, and covariances are
 /// not moved between the coordinates around neighbouring means, to first order, as in a filter without the reset.
 ///
+/// Every prediction from the first to the last must be remembered: one that is not leaves a gap that the smoother does not see.
+///
 /// **Guarantee:** exact for linear models; [`Guarantee::Statistical`](crate::Guarantee::Statistical), to first order, elsewhere.
 /// **Source:** Rauch, Tung, Striebel 1965; on groups van der Laan, Cohen, Arsenault, Forbes, The invariant Rauch-Tung-Striebel smoother, 2020.
 ///

@@ -106,7 +106,7 @@ fn the_first_heading_is_known_in_hindsight() {
     let beliefs = track.smooth(filter.belief()).unwrap();
     for (k, (belief, truth)) in beliefs.iter().zip(&truths).enumerate() {
         let mean = belief.mean();
-        assert!(truth.heading_rad().sin() - mean.heading_rad().sin() < 0.01, "{k}");
+        assert!((truth.heading_rad() - mean.heading_rad()).sin().abs() < 0.01, "{k}");
         assert!((truth.position - mean.position).norm() < 0.05 && (truth.scale - mean.scale).abs() < 0.01, "{k}");
         assert!((truth.lever - mean.lever).norm() < 0.05, "{k}: {mean:?}");
         assert!(belief.nees(truth).unwrap() < 40.0, "{k}: {}", belief.nees(truth).unwrap());

@@ -47,7 +47,7 @@ fn placed_poles_are_kept() {
     assert_quiet("inzsmf", || filter.step(&increment(), &[0.1, -0.1]).unwrap());
 }
 
-/// A vehicle at rest, measured with noise: rows come, go and carry bounds. A long warm-up lets the memory fill.
+/// A vehicle on a circle, measured with noise: rows come, go and carry bounds. A long warm-up lets the memory fill.
 #[test]
 fn steps_of_the_strips_allocate_nothing() {
     let symmetric = |radius: f64| Interval::new(-radius, radius).unwrap();

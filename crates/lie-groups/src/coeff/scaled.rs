@@ -12,8 +12,8 @@ pub type BothSigns<S> = (Complex<S>, Complex<S>);
 /// `phi_k(z) = sum_j z^j / (j + k)!` and `psi_1 = 1 / phi_1`, `psi_2 = phi_2 / phi_1 = (1 - psi_1) / z` at `z = s + i theta`,
 /// `s` the logarithm of the scale. On `s = 0` they are the functions of [`Coeff`](crate::Coeff).
 ///
-/// **Guarantee:** over `f64` a few units in the last place of error relative to the modulus, at every scale of `z` and without
-/// a threshold below a half turn; over `Interval` supersets of the range over the box, to first order as wide as it.
+/// **Guarantee:** over `f64` a few units in the last place of error relative to the modulus, for `|z|` up to 1e150, down to 0
+/// and without a threshold below a half turn; over `Interval` supersets of the range over the box, to first order as wide as it.
 pub trait ScaledCoeff: Scalar {
     /// `phi_1(z)` and `phi_1(-z)`, for every `z`.
     fn scaled_phi1(s: Self, theta: Self) -> BothSigns<Self>;

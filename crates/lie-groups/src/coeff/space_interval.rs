@@ -29,7 +29,7 @@ fn hull_maps(a: &ScaledMaps<Interval>, b: &ScaledMaps<Interval>) -> ScaledMaps<I
 /// Up to here, short of a half turn, all coefficients of `s I + W` are monotone in `s` and `x`.
 const NEAR: f64 = 9.86;
 
-/// `c` and `gamma` fall and rise with `x` everywhere; the others are differences of falling functions.
+/// `(beta, gamma)`, each as the difference of two falling functions.
 fn slopes(x: Interval) -> [Interval; 2] {
     let [c3, c4, c5] = [3, 4, 5].map(|k| x.stumpff(k));
     [c4.scale(2.0) - c3, c5 * Interval::point(3.0) - c4]
@@ -89,8 +89,8 @@ impl SpaceCoeff for Interval {
     }
 
     fn bc_slopes(x: Interval) -> [Interval; 4] {
-        let ([b, c], lo) = (Self::bc(x), slopes(x));
-        [b, c, lo[0], lo[1]]
+        let ([b, c], [beta, gamma]) = (Self::bc(x), slopes(x));
+        [b, c, beta, gamma]
     }
 
     fn e_slope(x: Interval) -> Result<[Interval; 2], GroupError> {
@@ -117,25 +117,18 @@ impl SpaceCoeff for Interval {
             return ScaledMaps { phi1: all3, phi2: all3, slope: all2 };
         }
         let (x_lo, x_hi) = (x.lo().max(0.0), x.hi().max(0.0));
-        let near = (x_lo <= NEAR).then(|| {
-            let first = space_scaled::at_point::<Interval>(s.lo(), x_hi.min(NEAR));
-            if s.lo() == s.hi() && x_lo == x_hi {
-                first
-            } else {
-                hull_maps(&first, &space_scaled::at_point(s.hi(), x_lo))
-            }
-        });
-        let far = (x_hi > NEAR).then(|| {
+        let far = || {
             let real = hull(space_scaled::real_phi(s.lo()), space_scaled::real_phi(s.hi()));
             space_scaled::closed(s, Interval::lit(x_lo.max(NEAR), x_hi), real)
-        });
-        match (near, far) {
-            (Some(near), Some(far)) => hull_maps(&near, &far),
-            (Some(one), None) | (None, Some(one)) => one,
-            // x is not empty: one of the two exists.
-            (None, None) => {
-                ScaledMaps { phi1: [Interval::ENTIRE; 3], phi2: [Interval::ENTIRE; 3], slope: [Interval::ENTIRE; 2] }
-            }
+        };
+        if x_lo > NEAR {
+            return far();
         }
+        let first = space_scaled::at_point::<Interval>(s.lo(), x_hi.min(NEAR));
+        if s.lo() == s.hi() && x_lo == x_hi {
+            return first;
+        }
+        let near = hull_maps(&first, &space_scaled::at_point(s.hi(), x_lo));
+        if x_hi > NEAR { hull_maps(&near, &far()) } else { near }
     }
 }

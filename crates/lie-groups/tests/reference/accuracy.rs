@@ -10,7 +10,7 @@ use crate::support::erased::{Erased, Group};
 use crate::support::random::{Random, SEED, cases};
 
 /// Norm-wise relative errors may reach this; the worst ones are printed.
-const BAR: f64 = 1e-14;
+const BAR: f64 = 2e-15;
 
 /// What is measured, in the order of the figures.
 const WHAT: [&str; 8] = ["exp", "log exp", "Jl", "Jr", "Jl^-1", "Jr^-1", "Ad exp", "one-parameter subgroup"];

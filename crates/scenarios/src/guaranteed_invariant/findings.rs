@@ -59,13 +59,17 @@ fn kept(evidence: &Evidence<'_>) -> String {
     } else {
         format!("{} are proven to hold it, at the others rounding leaves it open", all.inside)
     };
-    let holds = if all.not_outside == all.points {
+    // The bounds hold in these runs: a contradiction would be false.
+    let contradicted =
+        evidence.strips.iter().flat_map(|cell| &cell.runs).filter(|run| run.contradiction.is_some()).count()
+            + evidence.levers.iter().flatten().filter(|run| run.contradiction.is_some()).count();
+    let holds = if all.not_outside == all.points && contradicted == 0 {
         "The state was never lost"
     } else {
         "The state was lost, so the guarantee is broken"
     };
     format!(
-        "**{holds}**: {} of {} sets of {runs} runs do not exclude the truth; {inside}.",
+        "**{holds}**: {} of {} sets of {runs} runs do not exclude the truth; {inside}. {contradicted} runs ended with a contradiction.",
         all.not_outside, all.points
     )
 }

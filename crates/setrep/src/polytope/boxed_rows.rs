@@ -2,7 +2,7 @@
 
 use boxlp::{Problem, Solver, Status};
 use scalars::Interval;
-use scalars::rounding::{ETA, add_down, add_up, sub_up};
+use scalars::rounding::{add_down, add_up, sub_up};
 
 use super::HPolytope;
 use super::frame::Frame;
@@ -59,7 +59,8 @@ impl BoxedRows {
     /// # Errors
     /// [`SetError::ZeroDimension`]; [`SetError::UnboundedInterval`] for an empty or unbounded side; [`SetError::Overflow`].
     pub fn new(sides: &[Interval]) -> Result<Self, SetError> {
-        let frame = frame_of(sides)?;
+        check_sides(sides)?;
+        let frame = Frame::around(sides, 1.0)?;
         let solver = Solver::new(Problem::new(sides.len()).map_err(refused)?);
         Ok(Self {
             opposite: frame.center.iter().map(|c| -c).collect(),
@@ -190,10 +191,11 @@ impl BoxedRows {
         self.shifts.truncate(kept);
     }
 
-    /// Takes another box around the set, after `rewrite(i, a_i, h_i)` has replaced each row; the basis is lost.
+    /// Takes another box around the set, after `rewrite(i, a_i, h_i)` has replaced each row; the basis is lost. A row that overflows says
+    /// nothing from then on.
     ///
     /// # Errors
-    /// As [`new`](Self::new) and [`push`](Self::push); the rows are then lost as well.
+    /// As [`new`](Self::new), or [`SetError::Dimension`]; nothing changes then.
     pub fn reframe(
         &mut self,
         sides: &[Interval],
@@ -201,22 +203,21 @@ impl BoxedRows {
     ) -> Result<(), SetError> {
         let n = self.dim();
         SetError::check_size(Part::Interval, n, sides.len())?;
-        self.frame.assign_around(sides)?;
+        check_sides(sides)?;
+        self.frame.assign_around(sides, 1.0)?;
         self.opposite.iter_mut().zip(&self.frame.center).for_each(|(o, c)| *o = -c);
         self.solver.truncate_rows(0);
         self.shifts.clear();
         let (mut normals, mut offsets) = (core::mem::take(&mut self.normals), core::mem::take(&mut self.offsets));
-        let mut rows = normals.chunks_exact_mut(n).zip(&mut offsets).enumerate();
-        let loaded = rows.try_for_each(|(i, (normal, offset))| {
+        for (i, (normal, offset)) in normals.chunks_exact_mut(n).zip(&mut offsets).enumerate() {
             rewrite(i, normal, offset);
-            SetError::check_finite(Part::Normals, 1, normal)?;
-            check_offset(*offset)?;
-            self.load(normal, *offset)
-        });
-        if loaded.is_err() {
-            self.solver.truncate_rows(0);
-            self.shifts.clear();
-            return loaded;
+            let usable = normal.iter().all(|a| a.is_finite()) && check_offset(*offset).is_ok();
+            if !usable || self.load(normal, *offset).is_err() {
+                normal.fill(0.0);
+                *offset = f64::INFINITY;
+                // A row of zeros is always taken.
+                self.load(normal, *offset)?;
+            }
         }
         (self.normals, self.offsets) = (normals, offsets);
         Ok(())
@@ -268,20 +269,22 @@ impl BoxedRows {
         self.contradiction.as_ref()
     }
 
-    /// The rows and the sides of the box.
+    /// The rows that say something, and the sides of the box.
     ///
     /// # Errors
-    /// [`SetError::NonFinite`] for a row whose offset is infinite.
+    /// [`SetError::Overflow`] for sides that are not finite.
     pub fn to_polytope(&self) -> Result<HPolytope, SetError> {
-        let (n, m) = (self.dim(), self.len());
-        let mut normals = Matrix::zeros(m, n);
-        for i in 0..m {
+        let n = self.dim();
+        let kept: Vec<usize> = (0..self.len()).filter(|&i| self.offsets[i].is_finite()).collect();
+        let mut normals = Matrix::zeros(kept.len(), n);
+        for (row, &i) in kept.iter().enumerate() {
             for j in 0..n {
-                normals[(i, j)] = self.normals[i * n + j];
+                normals[(row, j)] = self.normals[i * n + j];
             }
         }
+        let offsets: Vec<f64> = kept.iter().map(|&i| self.offsets[i]).collect();
         let sides: Vec<Interval> = (0..n).map(|j| self.side(j)).collect();
-        HPolytope::new(normals, &self.offsets)?.intersection(&HPolytope::from_intervals(&sides)?)
+        HPolytope::new(normals, &offsets)?.intersection(&HPolytope::from_intervals(&sides)?)
     }
 
     /// Appends a row to the solver, in coordinates of the frame.
@@ -318,29 +321,12 @@ fn check_offset(offset: f64) -> Result<(), SetError> {
     Ok(())
 }
 
-fn frame_of(sides: &[Interval]) -> Result<Frame, SetError> {
+fn check_sides(sides: &[Interval]) -> Result<(), SetError> {
     if sides.is_empty() {
         return Err(SetError::ZeroDimension { part: Part::Interval });
     }
-    let mut frame = Frame { center: Vec::new(), scales: Vec::new() };
-    frame.assign_around(sides)?;
-    Ok(frame)
-}
-
-impl Frame {
-    /// [`around`](Self::around) with margin 1 into the memory of this frame, after a check of the sides.
-    fn assign_around(&mut self, sides: &[Interval]) -> Result<(), SetError> {
-        if let Some(row) = sides.iter().position(|side| side.is_empty() || !side.is_bounded()) {
-            return Err(SetError::UnboundedInterval { part: Part::Interval, row, col: 0 });
-        }
-        let scale = |side: &Interval| super::frame::power_of_two_above(side.rad().max(ETA));
-        if let Some(row) = sides.iter().position(|side| !scale(side).is_finite()) {
-            return Err(SetError::Overflow { row });
-        }
-        self.center.clear();
-        self.center.extend(sides.iter().map(Interval::mid));
-        self.scales.clear();
-        self.scales.extend(sides.iter().map(scale));
-        Ok(())
+    match sides.iter().position(|side| side.is_empty() || !side.is_bounded()) {
+        Some(row) => Err(SetError::UnboundedInterval { part: Part::Interval, row, col: 0 }),
+        None => Ok(()),
     }
 }

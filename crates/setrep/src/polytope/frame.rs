@@ -20,11 +20,22 @@ impl Frame {
     /// Coordinates of a bounded box, with `s` positive, at least `margin` times and less than `2 margin` times its radii (unless these
     /// are tiny); `margin` is a power of two.
     pub(super) fn around(sides: &[Interval], margin: f64) -> Result<Self, SetError> {
-        let scales: Vec<f64> = sides.iter().map(|side| power_of_two_above(margin * side.rad())).collect();
-        if let Some(row) = scales.iter().position(|s| !s.is_finite()) {
+        let mut frame = Self { center: Vec::new(), scales: Vec::new() };
+        frame.assign_around(sides, margin)?;
+        Ok(frame)
+    }
+
+    /// [`around`](Self::around) into the memory of this frame, which an error leaves as it was.
+    pub(super) fn assign_around(&mut self, sides: &[Interval], margin: f64) -> Result<(), SetError> {
+        let scale = |side: &Interval| power_of_two_above(margin * side.rad());
+        if let Some(row) = sides.iter().position(|side| !scale(side).is_finite()) {
             return Err(SetError::Overflow { row });
         }
-        Ok(Self { center: sides.iter().map(Interval::mid).collect(), scales })
+        self.center.clear();
+        self.center.extend(sides.iter().map(Interval::mid));
+        self.scales.clear();
+        self.scales.extend(sides.iter().map(scale));
+        Ok(())
     }
 
     /// Loads `H x <= h` into the solver of the workspace, each offset rounded up: a superset of the part of the set in the frame.
@@ -73,7 +84,7 @@ impl Frame {
 }
 
 /// The least power of two not below `x`, which is not negative, and not below `2^-1000`; infinite where it overflows.
-pub(super) fn power_of_two_above(x: f64) -> f64 {
+fn power_of_two_above(x: f64) -> f64 {
     let clamped = x.max(2f64.powi(-1000));
     let floor = power_of_two_below(clamped);
     if floor < clamped { 2.0 * floor } else { floor }

@@ -1,7 +1,7 @@
 //! The proof that some rows have no common point in a box.
 
 use scalars::Interval;
-use scalars::rounding::{add_up, mul_up};
+use scalars::rounding::{add_up, div_down, mul_up};
 
 use super::BoxedRows;
 
@@ -80,6 +80,6 @@ impl RowContradiction {
         if !(miss > 0.0 && miss.is_finite()) {
             return 0.0;
         }
-        if weight > 0.0 { (miss / weight).next_down() } else { f64::MAX }
+        if weight > 0.0 { div_down(miss, weight).max(0.0) } else { f64::MAX }
     }
 }
