@@ -81,8 +81,8 @@ const REFRESH_WIDTH: f64 = 2.0;
 ///     let [x, y] = truth.translation().into();
 ///     filter.update(&[PlanarMeasurement::position([x, y], [receiver; 2])])?;
 /// }
-/// assert!(filter.enclosure().heading_rad.contains(1.2));
-/// assert!(filter.enclosure().heading_width_rad() < 0.6);
+/// let (from, to) = filter.enclosure().heading_ends_rad().unwrap_or_default();
+/// assert!(from < 1.2 && 1.2 < to && filter.enclosure().heading_width_rad() < 0.6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
