@@ -37,6 +37,24 @@ pub enum GroupError {
     #[error("cos and sin given lie off the unit circle")]
     NotARotation,
 
+    /// A scale that is not positive: only those have a logarithm.
+    #[error("scale [{scale_lo}, {scale_hi}] is not positive")]
+    NotAScale {
+        /// Lower bound of the scale.
+        scale_lo: f64,
+        /// Upper bound of the scale.
+        scale_hi: f64,
+    },
+
+    /// No mean: no elements, weights that do not fit, or elements too far apart for the iteration to converge.
+    #[error("no mean after {iterations} iterations, the last step was {step}")]
+    NoMean {
+        /// Iterations done.
+        iterations: usize,
+        /// Length of the last step.
+        step: f64,
+    },
+
     /// A matrix has the wrong shape.
     #[error("matrix is {found_rows} x {found_cols}, expected {expected} x {expected}")]
     Shape {

@@ -18,13 +18,13 @@ use super::Coeff;
 use crate::{Complex, GroupError, Turn};
 
 /// Number of terms of the two series. At `|h| = pi/2` the first term left out is below `(pi/2)^24 / 26! < 2e-22`.
-const TERMS: usize = 12;
+pub(super) const TERMS: usize = 12;
 
 /// Coefficients `(-1)^j / (2j + 3)!` of `g / h` in `h^2`.
-const SINE_GAP: [f64; TERMS] = series(false);
+pub(super) const SINE_GAP: [f64; TERMS] = series(false);
 
 /// Coefficients `(-1)^j (2j + 2) / (2j + 3)!` of `j / h` in `h^2`.
-const BESSEL: [f64; TERMS] = series(true);
+pub(super) const BESSEL: [f64; TERMS] = series(true);
 
 /// `(-1)^j w_j / (2j + 3)!` with `w_j = 2j + 2` or 1.
 const fn series(weighted: bool) -> [f64; TERMS] {
@@ -43,7 +43,7 @@ const fn series(weighted: bool) -> [f64; TERMS] {
 
 /// `sum_j c_j x^j` in two interleaved chains, which run in parallel.
 #[inline]
-fn polynomial(c: &[f64; TERMS], x: f64) -> f64 {
+pub(super) fn polynomial(c: &[f64; TERMS], x: f64) -> f64 {
     let x2 = x * x;
     let (mut even, mut odd) = (c[TERMS - 2], c[TERMS - 1]);
     for j in (0..TERMS - 2).step_by(2).rev() {
@@ -175,5 +175,10 @@ impl Coeff for f64 {
     #[inline]
     fn check_finite(self, index: usize) -> Result<(), GroupError> {
         if self.is_finite() { Ok(()) } else { Err(GroupError::NotFinite { index }) }
+    }
+
+    #[inline]
+    fn ends(self) -> (f64, f64) {
+        (self, self)
     }
 }

@@ -223,4 +223,8 @@ impl Coeff for Interval {
     fn check_finite(self, index: usize) -> Result<(), GroupError> {
         if self.is_bounded() { Ok(()) } else { Err(GroupError::NotFinite { index }) }
     }
+
+    fn ends(self) -> (f64, f64) {
+        (self.lo(), self.hi())
+    }
 }

@@ -1,12 +1,25 @@
 //! The few functions of an angle that a plane group needs beyond arithmetic.
 
 mod arc;
+mod even;
 mod float;
 mod interval;
+mod scaled;
+mod scaled_float;
+mod scaled_interval;
+mod space;
+mod space_float;
+mod space_interval;
+mod space_scaled;
+mod spin_set;
 
 use std::fmt::Debug;
 
 use scalars::Scalar;
+
+pub use scaled::{BothSigns, ScaledCoeff};
+pub use space::{ScaledMaps, SpaceCoeff};
+pub use spin_set::SpinSet;
 
 use crate::{Complex, GroupError, Turn};
 
@@ -24,12 +37,12 @@ use crate::{Complex, GroupError, Turn};
 /// | `psi_1(i t)` | `(t/2) cot(t/2)` | `-t/2` |
 /// | `psi_2(i t)` | `1/2` | `-(1 - (t/2) cot(t/2)) / t` |
 ///
-/// None of them has a singularity at 0. Implemented for `f64` and `Interval`, and only for these. A group whose frame also scales uses the same functions at `z = s + i theta`.
+/// None of them has a singularity at 0. Implemented for `f64` and `Interval`, and only for these. A group whose frame also scales uses the same functions at `z = s + i theta`: [`ScaledCoeff`].
 ///
 /// **Guarantee:** over `f64` at most a few units in the last place of error relative to the modulus, at every scale; over
 /// `Interval` supersets of the range over the box, within a few units in the last place for a point.
 /// **Source:** Iserles, Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 2000 (the functions `phi_k`).
-pub trait Coeff: Scalar {
+pub trait Coeff: Scalar + ScaledCoeff + SpaceCoeff {
     /// What a rotation keeps beside its cosine and sine: nothing over `f64`, the range of its angle over `Interval`.
     type Arc: Copy + Debug + PartialEq;
 
@@ -73,6 +86,9 @@ pub trait Coeff: Scalar {
     /// [`GroupError::NotFinite`] for NaN, infinite, empty or unbounded parts, [`GroupError::NotARotation`] for `z = 0` or a box
     /// that misses the unit circle.
     fn direction(z: Complex<Self>) -> Result<Turn<Self>, GroupError>;
+
+    /// Lower and upper bound: the number twice over `f64`.
+    fn ends(self) -> (f64, f64);
 
     /// Errors unless the number is finite (over intervals: bounded and not empty).
     ///

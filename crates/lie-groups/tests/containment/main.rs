@@ -9,4 +9,5 @@ mod boxes;
 mod elements;
 mod fixtures;
 mod functions;
+mod groups;
 mod size;

@@ -6,6 +6,8 @@ use scalars::Interval;
 
 /// A scalar that laws can be tested over.
 pub(crate) trait Probe: Coeff {
+    /// Relative error that the laws of groups of space may reach.
+    const SPACE_BAR: f64;
     /// Distance of two results that stand for the same number; infinite if they contradict each other.
     fn gap(a: Self, b: Self) -> f64;
     /// Size of a number, for relative errors.
@@ -13,6 +15,8 @@ pub(crate) trait Probe: Coeff {
 }
 
 impl Probe for f64 {
+    const SPACE_BAR: f64 = 1e-13;
+
     fn gap(a: f64, b: f64) -> f64 {
         let difference = (a - b).abs();
         if difference.is_nan() { f64::INFINITY } else { difference }
@@ -24,6 +28,8 @@ impl Probe for f64 {
 }
 
 impl Probe for Interval {
+    const SPACE_BAR: f64 = 1e-12;
+
     /// Width of the hull of both; enclosures of one number must meet.
     fn gap(a: Interval, b: Interval) -> f64 {
         if a.is_empty() || b.is_empty() || a.disjoint(&b) { f64::INFINITY } else { a.hull(b).width() }

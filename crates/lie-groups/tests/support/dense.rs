@@ -128,6 +128,21 @@ impl Dense {
     }
 }
 
+impl Dense {
+    /// As [`escapes`](Self::escapes) for references that themselves come from products or an inverse: an error of 1e-27 of their largest entry is allowed for.
+    pub(crate) fn escapes_computed<R: Dim, C: Dim, T: RawStorage<scalars::Interval, R, C>>(
+        &self,
+        bounds: &Matrix<scalars::Interval, R, C, T>,
+    ) -> Option<(usize, usize)> {
+        let error = Dd::from(1e-27 * self.max_norm());
+        let outside = |at: (usize, usize)| {
+            let (value, range) = (self.get(at.0, at.1), &bounds[at]);
+            !((value + error).at_least(range.lo()) && (error - value).at_least(-range.hi()))
+        };
+        (0..self.size * self.size).map(|k| (k / self.size, k % self.size)).find(|&at| outside(at))
+    }
+}
+
 /// Rounded copy, for messages.
 impl From<&Dense> for DMatrix<f64> {
     fn from(m: &Dense) -> Self {

@@ -3,4 +3,5 @@
 
 pub(crate) mod dd;
 pub(crate) mod dense;
+pub(crate) mod erased;
 pub(crate) mod random;

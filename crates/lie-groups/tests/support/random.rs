@@ -44,6 +44,24 @@ impl Random {
         if self.bits() & 1 == 0 { modulus } else { -modulus }
     }
 
+    /// Tangent vector of a group by the kinds of its coordinates, one letter each: `r` an angle log-uniform in `1e-12..3`, `w` one of three coordinates of
+    /// a rotation vector of that length, `s` a log-scale of the same sizes, `x` any other in `1e-3..1e3`.
+    pub(crate) fn tangent_of(&mut self, kinds: &str) -> Vec<f64> {
+        let angle = self.log_uniform(1e-12, 3.0);
+        let axis: [f64; 3] = std::array::from_fn(|_| self.uniform(-1.0, 1.0));
+        let norm = axis.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
+        let mut axis = axis.iter().map(|x| x / norm);
+        kinds
+            .chars()
+            .map(|kind| match kind {
+                'r' => angle,
+                'w' => axis.next().unwrap() * angle,
+                's' => self.log_uniform(1e-12, 3.0),
+                _ => self.log_uniform(1e-3, 1e3),
+            })
+            .collect()
+    }
+
     /// Tangent vector with the first coordinate log-uniform in `1e-12..rotation`, the others in `1e-3..1e3`.
     pub(crate) fn tangent<const N: usize>(&mut self, rotation: f64) -> SVector<f64, N> {
         SVector::from_fn(
