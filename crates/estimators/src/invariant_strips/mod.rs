@@ -231,7 +231,10 @@ impl Estimator for InvariantStrips {
 
     fn predict(&mut self, input: &PlanarIncrement) -> Result<(), EstimatorError> {
         input.check(self.enclosure.fixed.len())?;
-        self.transport(input)
+        self.transport(input)?;
+        // Here, so that an update that is refused leaves rows and coordinates as they are; should it fail, the update says why.
+        let _ = self.fit_box();
+        Ok(())
     }
 
     /// Corrects the set by all measurements of one instant; none at all change nothing.
@@ -241,9 +244,9 @@ impl Estimator for InvariantStrips {
         if output.is_empty() {
             return Ok(());
         }
+        self.fit_box()?;
         self.programs = 0;
         self.instant += 1;
-        self.fit_box()?;
         let kept = self.rows.len();
         self.before.arc = self.arc;
         self.before.axis = self.axis;
@@ -255,6 +258,8 @@ impl Estimator for InvariantStrips {
             self.axis = self.before.axis;
             core::mem::swap(&mut self.turned, &mut self.before.turned);
             core::mem::swap(&mut self.enclosure, &mut self.before.enclosure);
+            // Rows count as used at this instant only by an update that stands.
+            self.tags.iter_mut().filter(|tag| tag.used == self.instant).for_each(|tag| tag.used = 0);
             self.instant -= 1;
             return Err(error);
         }
