@@ -99,7 +99,11 @@ impl PlanarMeasurement {
     /// `Ok` if a state with these numbers of vectors gives the measurement, linear in the embedding.
     pub(super) fn check(&self, fixed: usize, body: usize, scale: Interval) -> Result<(), EstimatorError> {
         if self.vector >= fixed {
-            return Err(EstimatorError::Size { what: "measured vector", expected: fixed, found: self.vector + 1 });
+            return Err(EstimatorError::Size {
+                what: "measured vector",
+                expected: fixed,
+                found: self.vector.saturating_add(1),
+            });
         }
         let mut linear = true;
         match self.arm {
@@ -109,7 +113,7 @@ impl PlanarMeasurement {
                 linear = false;
             }
             Arm::Unknown(l) if l >= body => {
-                return Err(EstimatorError::Size { what: "measured arm", expected: body, found: l + 1 });
+                return Err(EstimatorError::Size { what: "measured arm", expected: body, found: l.saturating_add(1) });
             }
             Arm::Unknown(_) => {}
         }

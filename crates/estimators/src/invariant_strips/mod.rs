@@ -232,6 +232,8 @@ impl Estimator for InvariantStrips {
     fn predict(&mut self, input: &PlanarIncrement) -> Result<(), EstimatorError> {
         self.plan(input)?;
         self.transport();
+        // Here, so that an update that is refused leaves rows and coordinates as they are; should it fail, the update says why.
+        let _ = self.fit_box();
         Ok(())
     }
 
@@ -242,8 +244,8 @@ impl Estimator for InvariantStrips {
         if output.is_empty() {
             return Ok(());
         }
-        self.programs = 0;
         self.fit_box()?;
+        self.programs = 0;
         self.instant += 1;
         let kept = self.rows.len();
         self.before.arc = self.arc;
@@ -256,6 +258,8 @@ impl Estimator for InvariantStrips {
             self.axis = self.before.axis;
             core::mem::swap(&mut self.turned, &mut self.before.turned);
             core::mem::swap(&mut self.enclosure, &mut self.before.enclosure);
+            // Rows count as used at this instant only by an update that stands.
+            self.tags.iter_mut().filter(|tag| tag.used == self.instant).for_each(|tag| tag.used = 0);
             self.instant -= 1;
             return Err(error);
         }

@@ -79,7 +79,8 @@ impl InvariantStrips {
             let turns = ((self.arc.middle() - phi.mid()) / TURN).round();
             let turns = if turns.is_finite() { turns } else { 0.0 };
             let copies = [-1.0, 0.0, 1.0].map(|k| phi + Interval::PI.scale(2.0 * (turns + k)));
-            if phi.width() < TURN && copies.iter().all(|copy| copy.disjoint(&self.arc.angles())) {
+            // Of huge angles the number of turns is rounded as well.
+            if phi.mag() < 1e9 && phi.width() < TURN && copies.iter().all(|copy| copy.disjoint(&self.arc.angles())) {
                 return Ok(Position::Outside);
             }
             inside = copies.iter().any(|copy| copy.subset_of(&self.arc.angles()));
@@ -140,7 +141,11 @@ impl InvariantStrips {
     pub fn polygon(&mut self, vector: usize, directions: usize) -> Result<HPolytope, EstimatorError> {
         if vector >= self.enclosure.fixed.len() {
             let expected = self.enclosure.fixed.len();
-            return Err(EstimatorError::Size { what: "vectors of the world", expected, found: vector + 1 });
+            return Err(EstimatorError::Size {
+                what: "vectors of the world",
+                expected,
+                found: vector.saturating_add(1),
+            });
         }
         if directions < 3 {
             return Err(EstimatorError::Size { what: "directions", expected: 3, found: directions });

@@ -6,6 +6,7 @@ use scalars::rounding::{UNIT_ROUNDOFF, add_up, mul_up};
 use super::InvariantStrips;
 use super::embedding::Embedding;
 use super::plane::{Region, largest_modulus, norm1};
+use crate::error::check_finite;
 use crate::{EstimatorError, PlanarBox};
 
 /// How many radii of the hull the box reaches beyond it: the coordinates drift away from it by the noise of the turns.
@@ -25,6 +26,12 @@ impl InvariantStrips {
     pub(super) fn start_anew(&mut self) -> Result<(), EstimatorError> {
         fill_sides(&mut self.sides, self.embedding, &self.enclosure, &self.drift);
         let (embedding, path, farthest) = (self.embedding, &self.path, self.enclosure.scale.hi());
+        // Rows that would overflow are found before any of them is rewritten.
+        let steepest = path.iter().fold(0.0, |sum, s| sum + norm1(*s));
+        for i in 0..self.rows.len() {
+            let size = norm1([self.rows.normal(i)[0], self.rows.normal(i)[1]]) + 2.0 * steepest;
+            check_finite("rows in new coordinates", &[8.0 * size * farthest.max(1.0)])?;
+        }
         self.rows.reframe(&self.sides, |_, normal, offset| {
             let mut size = norm1([normal[0], normal[1]]);
             for (j, s) in path.iter().enumerate() {

@@ -68,8 +68,9 @@ impl Sweep {
             off = off.max(radius(&start)).max(radius(&end));
             longest = longest.max(length);
         }
-        // Ends, products and sums: at most eight roundings of `|d|_1 |c|` for a value.
-        Self { paths, len: corners.len().min(4), whole, pad: off * 1.001 + 8.0 * UNIT_ROUNDOFF * longest }
+        // Ends, products and sums: at most eight roundings of `|d|_1 |c|` for a value, or of subnormal numbers.
+        let pad = off * 1.001 + 8.0 * UNIT_ROUNDOFF * longest + f64::MIN_POSITIVE;
+        Self { paths, len: corners.len().min(4), whole, pad }
     }
 
     /// Upper bound of `max <d, p>` over the set.

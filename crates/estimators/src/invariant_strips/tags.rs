@@ -62,9 +62,8 @@ impl Pruning {
         let bucket = (instant / 8).clamp(2, (options.bucket as u64).max(2));
         let newest = instant / bucket;
         let classes = tags.iter().map(|tag| tag.class + 1).max().unwrap_or(0);
-        // No row is older than the first instant.
-        let reach = (options.memory.max(options.support_life) as u64).min(instant);
-        let buckets = (reach / bucket) as usize + 2;
+        // No row is older than the first instant, however long the memory.
+        let buckets = (options.memory.max(options.support_life) as u64 / bucket + 2).min(newest + 1) as usize;
         self.least.clear();
         self.least.resize(classes * buckets, Least { slack: f64::INFINITY, row: usize::MAX });
         for (row, tag) in tags.iter().enumerate().filter(|(_, tag)| young(tag)) {

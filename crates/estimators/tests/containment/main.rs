@@ -10,4 +10,5 @@ mod linear;
 mod strips;
 mod strips_calibration;
 mod strips_groups;
+mod strips_hard;
 mod vehicle;

@@ -30,13 +30,14 @@ pub struct ScaledMaps<S> {
 ///
 /// With them `V(w) = I + b W + c W^2` and `V(w)^-1 = I - W/2 + e W^2`; the others give the derivatives of both by `w`.
 ///
-/// **Guarantee:** over `f64` a few units in the last place of relative error for every `x`; over `Interval` supersets of the range.
+/// **Guarantee:** over `f64` a few units in the last place of relative error up to a full turn, beyond which the rounding of `t` counts as well; over
+/// `Interval` supersets of the range.
 /// **Source:** Barfoot, State Estimation for Robotics, sections 7.1.4 and 7.1.5.
 pub trait SpaceCoeff: Scalar {
     /// A rotation of space as it is stored: a unit quaternion over `f64`, a [`SpinSet`](crate::SpinSet) over `Interval`.
     type Spin: Copy + Debug + PartialEq;
 
-    /// The rotation by the vector `w`, for every `w`.
+    /// The rotation by the vector `w`, for every `w`; over `f64` NaN where `|w|^2` overflows.
     fn spin(w: [Self; 3]) -> Self::Spin;
 
     /// The rotation by the vector `w` with `(b, c)` of it.

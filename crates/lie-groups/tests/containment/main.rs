@@ -10,4 +10,5 @@ mod elements;
 mod fixtures;
 mod functions;
 mod groups;
+mod hard;
 mod size;
