@@ -145,6 +145,23 @@ fn without_largest_gap(caps: &[Cap]) -> Option<Option<Arc>> {
     })
 }
 
+/// The shortest arc around pieces that follow each other for at most a turn, overlapping or not: what is left without the largest gap.
+pub(super) fn hull_of_pieces(pieces: &[Arc]) -> Option<Arc> {
+    let (first, last) = (pieces.first()?, pieces.last()?);
+    let mut hull = Arc { lo: first.lo, hi: last.hi };
+    let mut widest = sub_down(add_down(first.lo, TURN), last.hi);
+    for pair in pieces.windows(2) {
+        let gap = sub_down(pair[1].lo, pair[0].hi);
+        if gap > widest {
+            widest = gap;
+            // From the second of the pair on, and around to the first.
+            let turn_on = (Interval::point(pair[0].hi) + Interval::PI.scale(2.0)).hi();
+            hull = Arc { lo: pair[1].lo.min(add_down(first.lo, TURN)), hi: turn_on.max(last.hi) };
+        }
+    }
+    Some(if widest <= 0.0 || hull.is_whole() { Arc::whole() } else { hull })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,5 +186,18 @@ mod tests {
         let left = arc.without(&caps).unwrap();
         assert!((left.lo - 2.7).abs() < 1e-14 && (left.hi - (TURN - 2.3)).abs() < 1e-14, "{left:?}");
         assert_eq!(Arc { lo: 0.1, hi: 0.2 }.without(&[Cap { center: 0.0, reach: 0.5 }]), None);
+    }
+
+    #[test]
+    fn pieces_are_joined_around_the_largest_gap() {
+        let pieces = |ends: &[(f64, f64)]| ends.iter().map(|&(lo, hi)| Arc { lo, hi }).collect::<Vec<_>>();
+        assert_eq!(hull_of_pieces(&[]), None);
+        let inner = pieces(&[(-1.0, -0.8), (-0.8000001, -0.5), (0.3, 0.4)]);
+        assert_eq!(hull_of_pieces(&inner), Some(Arc { lo: -1.0, hi: 0.4 }));
+        // Across the cut: the gap between -2.5 and 2.8 is the largest.
+        let left = hull_of_pieces(&pieces(&[(-3.15, -2.9), (-2.9, -2.5), (2.8, 3.0), (3.0, 3.15)])).unwrap();
+        assert!(left.lo == 2.8 && left.hi >= TURN - 2.5 && left.hi < TURN - 2.5 + 1e-14, "{left:?}");
+        let around = pieces(&[(-3.2, -1.0), (-1.0, 1.0), (0.9, 3.2)]);
+        assert!(hull_of_pieces(&around).unwrap().is_whole());
     }
 }

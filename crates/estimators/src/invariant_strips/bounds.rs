@@ -37,18 +37,17 @@ impl InvariantStrips {
     /// heading along and across it: the noise of the turns is transversal to the track, and world axes would pay it twice.
     pub(super) fn push_aligned(&mut self, measurements: &[PlanarMeasurement]) -> Result<(), EstimatorError> {
         let toward = self.middle_heading();
-        let mut class = 4 * self.enclosure.fixed.len();
+        self.union.asked.clear();
         for measurement in measurements {
             for k in 0..SENSOR {
-                let d = spoke(toward, k, SENSOR);
-                self.aim_at_sensor(measurement, d);
-                self.push_support(&mut class)?;
+                self.aim_at_sensor(measurement, spoke(toward, k, SENSOR));
+                self.ask();
             }
         }
         for j in 0..self.enclosure.fixed.len() {
             for k in 0..OTHER {
                 self.aim(j, spoke(toward, k, OTHER));
-                self.push_support(&mut class)?;
+                self.ask();
             }
         }
         let middle_of_arc = Interval::point(self.arc.middle());
@@ -59,8 +58,24 @@ impl InvariantStrips {
                 let d = spoke(middle_of_arc, k, OTHER);
                 self.normal.fill(0.0);
                 self.normal[column..column + 2].copy_from_slice(&d);
-                self.push_support(&mut class)?;
+                self.ask();
             }
+        }
+        self.push_asked(4 * self.enclosure.fixed.len())
+    }
+
+    /// Puts the functional `self.normal` on the list.
+    fn ask(&mut self) {
+        self.union.asked.extend_from_slice(&self.normal);
+    }
+
+    /// The bounds of all functionals on the list as rows, of classes from `class` on.
+    fn push_asked(&mut self, class: usize) -> Result<(), EstimatorError> {
+        self.bound_asked()?;
+        let n = self.normal.len();
+        for k in 0..self.union.bounds.len() {
+            self.normal.copy_from_slice(&self.union.asked[k * n..(k + 1) * n]);
+            self.push_row(self.union.bounds[k], self.bound_tag(class + k))?;
         }
         Ok(())
     }
@@ -92,14 +107,6 @@ impl InvariantStrips {
                 self.normal[column..column + 2].copy_from_slice(&turned);
             }
         }
-    }
-
-    /// The support in direction `self.normal` as a row.
-    fn push_support(&mut self, class: &mut usize) -> Result<(), EstimatorError> {
-        let limit = self.support()?;
-        self.push_row(limit, self.bound_tag(*class))?;
-        *class += 1;
-        Ok(())
     }
 
     /// Classes of bounds are odd, those of measurements even.

@@ -6,7 +6,7 @@ use scalars::rounding::{add_up, div_up, mul_up, sub_down, sub_up};
 use super::InvariantStrips;
 use super::arc::{Arc, Cap, TURN};
 use super::plane::{Region, Vector, middle, norm1, radius, unit};
-use crate::{Culprit, EstimatorError, Evidence};
+use crate::{EstimatorError, Evidence};
 
 /// Most passes over the arc of one update, and the share of its width that a pass must take off for another one.
 const PASSES: usize = 5;
@@ -19,15 +19,18 @@ impl InvariantStrips {
     /// The arc, again while it shrinks a good deal (which it does in the first updates only), and everything else once.
     pub(super) fn contract(&mut self) -> Result<(), EstimatorError> {
         self.push_derived()?;
-        for pass in 1..=PASSES {
+        // Pieces do better than caps: one pass of these finds most contradictions.
+        let passes = if self.is_worth_cutting() { 1 } else { PASSES };
+        for pass in 1..=passes {
             let before = self.arc.width();
             self.contract_arc()?;
-            if self.arc.width() > (1.0 - WORTHWHILE) * before || pass == PASSES {
+            if self.arc.width() > (1.0 - WORTHWHILE) * before || pass == passes {
                 break;
             }
             self.drop_derived();
             self.push_derived()?;
         }
+        self.contract_by_pieces()?;
         self.contract_scale()?;
         self.axis = middle(&unit(Interval::point(self.arc.middle())));
         for l in 0..self.enclosure.body.len() {
@@ -64,11 +67,16 @@ impl InvariantStrips {
     /// Angle, rounded down, by which an end moves whose outward tangent is `d`.
     fn step_inward(&mut self, d: Region) -> Result<f64, EstimatorError> {
         let v = self.heading_support(d)?;
+        Ok(self.inward(v))
+    }
+
+    /// The same for the maximum `v` along the tangent.
+    pub(super) fn inward(&self, v: f64) -> f64 {
         if v >= 0.0 {
-            return Ok(0.0);
+            return 0.0;
         }
         let sine = (-div_up(v, self.enclosure.scale.hi())).clamp(0.0, 1.0);
-        Ok(Interval::point(sine).asin().lo().max(0.0))
+        Interval::point(sine).asin().lo().max(0.0)
     }
 
     /// `max <z, e^{i psi}> = v < s1` excludes the angles within `acos(v / s1)` of `psi` (`acos(v / s2)` if `v < 0`).
@@ -120,52 +128,62 @@ impl InvariantStrips {
 
     /// The box of `A = conj(e^{ic}) xi`, and with `X = e^{-it} A`, `|t| <= w`, that of the arm.
     fn contract_arm(&mut self, l: usize) -> Result<(), EstimatorError> {
-        let axis = self.axis;
-        let column = self.embedding.body(l);
+        let Some(sides) = self.turned_box(self.embedding.body(l), self.axis)? else { return Err(self.empty()) };
+        self.turned[l] = sides;
+        if !self.arc.is_whole() && self.half_width() <= 3.0 {
+            self.enclosure.body[l] = self.meet(self.enclosure.body[l], self.arm_of(sides))?;
+        }
+        Ok(())
+    }
+
+    /// The box of `conj(axis) y` for the pair `y` at `column`; none if the rows contradict each other.
+    pub(super) fn turned_box(&mut self, column: usize, axis: Vector) -> Result<Option<Region>, EstimatorError> {
         let across = [-axis[1], axis[0]];
         let mut sides = [Interval::EMPTY; 2];
         for (side, d) in sides.iter_mut().zip([axis, across]) {
-            let hi = self.pair_support(column, d)?;
-            let lo = -self.pair_support(column, [-d[0], -d[1]])?;
+            let hi = self.pair_bound(column, d)?;
+            let lo = -self.pair_bound(column, [-d[0], -d[1]])?;
             // |axis|^2 is 1 but for four roundings.
             let slip = mul_up(lo.abs().max(hi.abs()), 8.0 * f64::EPSILON);
-            *side = Interval::new(sub_down(lo, slip), add_up(hi, slip)).unwrap_or(Interval::EMPTY);
-            if side.is_empty() {
-                let one = |bound: f64| Interval::point(bound);
-                return Err(self.disjoint(one(lo), one(hi)));
-            }
+            let Ok(found) = Interval::new(sub_down(lo, slip), add_up(hi, slip)) else { return Ok(None) };
+            *side = found;
         }
-        self.turned[l] = sides;
-        if self.arc.is_whole() || self.half_width() > 3.0 {
-            return Ok(());
-        }
+        Ok(Some(sides))
+    }
+
+    /// `X = e^{-it} A`, `|t| <= w`, for a box of `A = conj(e^{ic}) xi`.
+    pub(super) fn arm_of(&self, sides: Region) -> Region {
         // e^{-ic} axis is 1 but for rounding.
         let slip = mul_up(add_up(sides[0].mag(), sides[1].mag()), 8.0 * f64::EPSILON);
         let a = sides.map(|side| side.inflate(slip));
         let half = self.half_width();
         let [cos, sin] = unit(Interval::new(-half, half).unwrap_or(Interval::ENTIRE));
-        let seen = [cos * a[0] + sin * a[1], cos * a[1] - sin * a[0]];
-        self.enclosure.body[l] = self.meet(self.enclosure.body[l], seen)?;
-        Ok(())
+        [cos * a[0] + sin * a[1], cos * a[1] - sin * a[0]]
     }
 
     /// The hull of vector `j` of the world.
     fn contract_vector(&mut self, j: usize) -> Result<(), EstimatorError> {
-        let mut seen = [Interval::EMPTY; 2];
-        for (k, d) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
-            let hi = self.place_support(j, d)?;
-            let lo = -self.place_support(j, [-d[0], -d[1]])?;
-            seen[k] = match Interval::new(lo, hi) {
-                Ok(side) => side,
-                Err(_) => return Err(self.disjoint(Interval::point(lo), Interval::point(hi))),
-            };
-        }
+        let Some(seen) = self.place_box(j)? else { return Err(self.empty()) };
         self.enclosure.fixed[j] = self.meet(self.enclosure.fixed[j], seen)?;
         Ok(())
     }
 
+    /// The box of vector `j` of the world; none if the rows contradict each other. Levers along axes are exact.
+    pub(super) fn place_box(&mut self, j: usize) -> Result<Option<Region>, EstimatorError> {
+        let mut seen = [Interval::EMPTY; 2];
+        for (side, d) in seen.iter_mut().zip([[1.0, 0.0], [0.0, 1.0]]) {
+            self.aim(j, d);
+            let hi = self.bound()?;
+            self.aim(j, [-d[0], -d[1]]);
+            let lo = -self.bound()?;
+            let Ok(found) = Interval::new(lo, hi) else { return Ok(None) };
+            *side = found;
+        }
+        Ok(Some(seen))
+    }
+
     /// The intersection, or the contradiction.
-    fn meet(&mut self, known: Region, seen: Region) -> Result<Region, EstimatorError> {
+    pub(super) fn meet(&self, known: Region, seen: Region) -> Result<Region, EstimatorError> {
         let mut common = [Interval::EMPTY; 2];
         for k in 0..2 {
             common[k] = known[k].intersection(seen[k]);
@@ -178,15 +196,22 @@ impl InvariantStrips {
 
     /// Upper bound of `<d, z>` for a direction known to rounding.
     fn heading_support(&mut self, d: Region) -> Result<f64, EstimatorError> {
-        let v = self.pair_support(0, middle(&d))?;
-        Ok(add_up(v, mul_up(radius(&d), self.enclosure.scale.hi())))
+        let v = self.heading_bound(d)?;
+        if v == f64::NEG_INFINITY { Err(self.empty()) } else { Ok(v) }
     }
 
-    /// Upper bound of `<d, .>` of the pair at `column`.
-    pub(super) fn pair_support(&mut self, column: usize, d: Vector) -> Result<f64, EstimatorError> {
+    /// The same; `-inf` if the rows contradict each other.
+    pub(super) fn heading_bound(&mut self, d: Region) -> Result<f64, EstimatorError> {
+        let v = self.pair_bound(0, middle(&d))?;
+        let lost = mul_up(radius(&d), self.enclosure.scale.hi());
+        Ok(if self.emptied { v } else { add_up(v, lost) })
+    }
+
+    /// Upper bound of `<d, .>` of the pair at `column`; `-inf` if the rows contradict each other.
+    fn pair_bound(&mut self, column: usize, d: Vector) -> Result<f64, EstimatorError> {
         self.normal.fill(0.0);
         self.normal[column..column + 2].copy_from_slice(&d);
-        self.support()
+        self.bound()
     }
 
     /// Upper bound of `<d, x_j>`. The lever `conj(S) d` is exact along an axis; elsewhere its rounding is added.
@@ -204,23 +229,32 @@ impl InvariantStrips {
 
     /// Upper bound of `<self.normal, .>` over the rows; marks those that carry it.
     pub(super) fn support(&mut self) -> Result<f64, EstimatorError> {
+        let value = self.bound()?;
+        if value == f64::NEG_INFINITY { Err(self.empty()) } else { Ok(value) }
+    }
+
+    /// The same; `-inf` if the rows are proven to contradict each other.
+    pub(super) fn bound(&mut self) -> Result<f64, EstimatorError> {
         self.programs += 1;
         let value = self.rows.support(&self.normal)?;
-        if value == f64::NEG_INFINITY {
-            let proof = self.rows.contradiction().cloned();
-            let culprits: Vec<Culprit> = match &proof {
-                Some(proof) => proof.rows().iter().map(|&i| self.culprit(i)).collect(),
-                None => Vec::new(),
-            };
-            let evidence = match proof {
-                Some(proof) => Evidence::HalfSpaces { proof: Box::new(proof) },
-                None => Evidence::Propagation { hull: self.enclosure.fixed.as_flattened().to_vec() },
-            };
-            return Err(self.inconsistent(culprits, evidence));
-        }
+        self.emptied = value == f64::NEG_INFINITY;
         for &(i, _) in self.rows.active() {
             self.tags[i].used = self.instant;
         }
         Ok(value)
+    }
+
+    /// The error of the last bound: a proof that the rows contradict each other, or two bounds that cross.
+    fn empty(&self) -> EstimatorError {
+        match self.rows.contradiction().filter(|_| self.emptied) {
+            Some(proof) => {
+                let culprits = proof.rows().iter().map(|&i| self.culprit(i)).collect();
+                self.inconsistent(culprits, Evidence::HalfSpaces { proof: Box::new(proof.clone()) })
+            }
+            None => {
+                let hull = self.enclosure.fixed.as_flattened().to_vec();
+                self.contradiction(Evidence::Propagation { hull })
+            }
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! The filter of strips: guaranteed enclosures on planar groups, from a heading that may be totally unknown.
 //!
 //! Reading order: [`PlanarBox`], [`PlanarIncrement`], [`PlanarMeasurement`]; then `embedding` (the coordinates), `sweep` (the suprema of
-//! noise terms), `transport` (prediction), `measured` and `derived` (rows), `contraction` (what they say), `bounds` and `tags` (which
+//! noise terms), `transport` (prediction), `measured` and `derived` (rows), `contraction` and `pieces` (what they say), `bounds` and `tags` (which
 //! rows stay).
 
 mod arc;
@@ -15,6 +15,7 @@ mod measured;
 mod measurement;
 mod options;
 mod outputs;
+mod pieces;
 mod planar_box;
 mod plane;
 mod reframe;
@@ -29,6 +30,7 @@ pub use planar_box::PlanarBox;
 
 use arc::{Arc, Cap};
 use embedding::Embedding;
+use pieces::Union;
 use plane::{Region, Vector, largest_modulus};
 use scalars::Interval;
 use setrep::BoxedRows;
@@ -109,6 +111,8 @@ pub struct InvariantStrips {
     /// Room for the `q_j` beyond the radii of their hulls.
     drift: Vec<f64>,
     programs: usize,
+    /// Whether the last program was proven to have no point.
+    emptied: bool,
     motion: Motion,
     before: Before,
     pruning: Pruning,
@@ -116,6 +120,7 @@ pub struct InvariantStrips {
     center: Vec<f64>,
     sides: Vec<Interval>,
     caps: Vec<Cap>,
+    union: Union,
 }
 
 /// What an update changes beside the rows.
@@ -161,6 +166,7 @@ impl InvariantStrips {
             tags: Vec::new(),
             drift,
             programs: 0,
+            emptied: false,
             motion: Motion::new(fixed, body),
             before: Before { arc, enclosure: prior.clone(), axis: [1.0, 0.0], turned },
             pruning: Pruning::default(),
@@ -168,6 +174,7 @@ impl InvariantStrips {
             center: Vec::new(),
             sides,
             caps: Vec::new(),
+            union: Union::default(),
         };
         filter.enclosure.heading_rad = filter.heading();
         filter.push_hulls()?;

@@ -120,7 +120,8 @@ fn scale_and_lever_arm_are_found() {
     for seed in 1..3 {
         let (filter, widths) = run(FAST, seed);
         let set = filter.enclosure();
-        assert!(widths[0] < 1.6 && widths[1] < 0.03 && widths[2] < 0.03, "{widths:?}");
+        // Without the pieces of the wide arc: 1.3 at 10 s.
+        assert!(widths[0] < 1.1 && widths[1] < 0.03 && widths[2] < 0.03, "{widths:?}");
         assert!(set.scale.width() < 0.0125, "{:?}", set.scale);
         assert!(set.body[0].iter().all(|side| side.width() < 1.1), "{:?}", set.body);
         assert!(filter.num_rows() <= 800 && filter.programs() < 50);
@@ -141,4 +142,13 @@ fn what_cannot_be_seen_stays_as_it_was() {
     let (filter, widths) = run(Case { turn_rate: slow, gyro: 0.01, speed: 0.1, receiver: 1.0, ..FAST }, 1);
     assert!(widths[1] < 0.3 && filter.enclosure().scale.width() < 0.16, "{widths:?}");
     assert!(filter.enclosure().body[0].iter().all(|side| side.width() <= 6.0));
+}
+
+/// Odometry as poor as a robot's for the way it drives (noises held at a vertex): the heading stays wide, is contracted piece by piece at every
+/// update, and the truth is never lost.
+#[test]
+fn a_heading_that_stays_wide_is_contained() {
+    let poor = Case { turn_rate: 0.2, gyro: 0.05, speed: 0.6, receiver: 1.5, constant: true, ..FAST };
+    let (_, widths) = run(poor, 3);
+    assert!(widths.iter().all(|&width| width > 0.15 && width < 6.0), "{widths:?}");
 }
