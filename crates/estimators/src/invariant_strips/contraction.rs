@@ -1,7 +1,7 @@
 //! What the rows say about heading, scale, arms and positions: each by linear programs, each bound proven.
 
 use scalars::Interval;
-use scalars::rounding::{add_up, div_up, mul_up, sub_down, sub_up};
+use scalars::rounding::{add_down, add_up, div_up, mul_up, sub_down, sub_up};
 
 use super::InvariantStrips;
 use super::arc::{Arc, Cap, TURN};
@@ -31,12 +31,15 @@ impl InvariantStrips {
             self.push_derived()?;
         }
         self.contract_by_pieces()?;
+        self.suspects.clear();
         self.contract_scale()?;
         self.axis = middle(&unit(Interval::point(self.arc.middle())));
         for l in 0..self.enclosure.body.len() {
+            self.suspects.clear();
             self.contract_arm(l)?;
         }
         for j in 0..self.enclosure.fixed.len() {
+            self.suspects.clear();
             self.contract_vector(j)?;
         }
         self.enclosure.heading_rad = self.heading();
@@ -45,6 +48,7 @@ impl InvariantStrips {
 
     /// The ends of a narrow arc, or the caps of a wide one.
     fn contract_arc(&mut self) -> Result<(), EstimatorError> {
+        self.suspects.clear();
         if self.arc.is_whole() || self.half_width() > WIDE {
             return self.contract_by_caps();
         }
@@ -54,8 +58,7 @@ impl InvariantStrips {
         let hi = sub_up(self.arc.hi, by);
         let end = unit(Interval::point(self.arc.lo));
         let by = self.step_inward([end[1], -end[0]])?;
-        let lo = sub_down(self.arc.lo, -by);
-        // lo + by, rounded down.
+        let lo = add_down(self.arc.lo, by);
         if lo > hi {
             let shifted = |a: f64, b: f64| Interval::new(a, b).unwrap_or(Interval::EMPTY);
             return Err(self.disjoint(shifted(lo, f64::INFINITY), shifted(f64::NEG_INFINITY, hi)));
@@ -240,6 +243,7 @@ impl InvariantStrips {
         self.emptied = value == f64::NEG_INFINITY;
         for &(i, _) in self.rows.active() {
             self.tags[i].used = self.instant;
+            self.suspects.push(i);
         }
         Ok(value)
     }

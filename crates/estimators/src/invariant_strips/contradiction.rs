@@ -18,14 +18,16 @@ impl InvariantStrips {
         }
     }
 
-    /// The error of two enclosures of one quantity that are disjoint, the last of them from the rows that carry the last bound.
+    /// The error of two enclosures of one quantity that are disjoint.
     pub(super) fn disjoint(&self, predicted: Interval, required: Interval) -> EstimatorError {
         self.contradiction(Evidence::Disjoint { predicted, required })
     }
 
-    /// The error with the rows that carry the last bound as culprits, beside the prediction.
+    /// The error with the rows that carry the bounds of this contraction as culprits, beside the prediction.
     pub(super) fn contradiction(&self, evidence: Evidence) -> EstimatorError {
-        let mut culprits: Vec<Culprit> = self.rows.active().iter().map(|&(i, _)| self.culprit(i)).collect();
+        // Derived rows, the last ones, may be gone: they stand for the prediction.
+        let rows = self.suspects.iter().filter(|&&i| i < self.tags.len());
+        let mut culprits: Vec<Culprit> = rows.map(|&i| self.culprit(i)).collect();
         culprits.push(Culprit::Prediction);
         self.inconsistent(culprits, evidence)
     }

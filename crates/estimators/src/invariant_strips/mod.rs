@@ -57,8 +57,10 @@ const REFRESH_WIDTH: f64 = 2.0;
 /// no gain, no linearisation and no estimate: the result does not depend on one.
 ///
 /// **Guarantee:** [`Guarantee::Rigorous`]: if the state lies in the prior and all noises in their ranges, it lies in every set, rounding
-/// included. A contradiction is reported with proof and names the measurements that make it, this step's as [`Culprit::Measurement`] and
-/// older ones as [`Culprit::Earlier`]; entry `2 m + k` is number `k` of measurement `m`. The set is then the predicted one.
+/// included. A contradiction is proven and names the measurements that take part, this step's as [`Culprit::Measurement`] and
+/// older ones as [`Culprit::Earlier`]; entry `2 m + k` is number `k` of measurement `m`. The set is then the predicted one. Its evidence
+/// are rows with multipliers or two disjoint bounds, which can be checked again; where every part of the circle of headings is excluded by programs of
+/// its own, it is [`Evidence::Propagation`](crate::Evidence::Propagation), which only the filter run again shows.
 ///
 /// [`Culprit::Measurement`]: crate::Culprit::Measurement
 /// [`Culprit::Earlier`]: crate::Culprit::Earlier
@@ -113,6 +115,8 @@ pub struct InvariantStrips {
     programs: usize,
     /// Whether the last program was proven to have no point.
     emptied: bool,
+    /// Rows that carry the bounds of the contraction under way: what takes part if it leaves nothing.
+    suspects: Vec<usize>,
     motion: Motion,
     before: Before,
     pruning: Pruning,
@@ -167,6 +171,7 @@ impl InvariantStrips {
             drift,
             programs: 0,
             emptied: false,
+            suspects: Vec::new(),
             motion: Motion::new(fixed, body),
             before: Before { arc, enclosure: prior.clone(), axis: [1.0, 0.0], turned },
             pruning: Pruning::default(),

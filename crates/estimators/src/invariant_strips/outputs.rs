@@ -204,6 +204,7 @@ impl InvariantStrips {
         question: impl FnOnce(&mut Self) -> Result<T, EstimatorError>,
     ) -> Result<T, EstimatorError> {
         let programs = self.programs;
+        self.suspects.clear();
         let answer = self.push_derived().and_then(|()| question(self));
         self.drop_derived();
         self.programs = programs;

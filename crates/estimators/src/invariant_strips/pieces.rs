@@ -65,6 +65,7 @@ impl InvariantStrips {
 
     /// One round.
     fn cut(&mut self) -> Result<(), EstimatorError> {
+        self.suspects.clear();
         self.drop_derived();
         let (whole, rows) = (self.arc, self.rows.len());
         let count = (whole.width() / PIECE).ceil().clamp(1.0, MOST);
@@ -160,6 +161,7 @@ impl InvariantStrips {
 
     /// Bounds of all functionals on the list, over the pieces if the arc was cut; the derived rows are gone then.
     pub(super) fn bound_asked(&mut self) -> Result<(), EstimatorError> {
+        self.suspects.clear();
         let n = self.normal.len();
         let cut = !self.union.left.is_empty();
         if cut {

@@ -42,13 +42,13 @@ pub fn report(scale: &Scale, evidence: &Evidence<'_>, results: &Results, timings
         )
         .table(Table::pivot(results.table(CONTAINMENT)))
         .heading("Broken bounds")
-        .paragraph("The filter is told the paper's bounds; the noises are a multiple of them. A contradiction is reported only with a certificate.")
+        .paragraph("The filter is told the paper's bounds; the noises are a multiple of them. A contradiction is reported only with proof.")
         .table(Table::pivot(results.table(BROKEN)))
         .heading("Problem 3: scale and lever arm")
         .paragraph("Rows: turn rate on the circle (rad/s), bounds of gyro (rad/s), speed (m/s) and position (m).")
         .figure("scale-and-arm", LEVER_CAPTION)
         .table(lever_table(results))
-        .paragraph("`prototype`: one run of a floating-point prototype of the same filter. Our columns are means over the runs.");
+        .paragraph("`reference`: one run of an independent computation in plain floating point. Our columns are means over the runs.");
     robot(&mut report, evidence, results);
     report
         .heading("Time of a step")
@@ -111,25 +111,25 @@ fn settings(scale: &Scale, seed: u64) -> Vec<String> {
     ]
 }
 
-/// Settings down, our widths beside the prototype's.
+/// Settings down, our widths beside the reference.
 fn lever_table(results: &Results) -> Table {
     let widths: Vec<String> = LOOKED_AT_S
         .iter()
         .map(|second| format!("width(theta)@{second}s"))
         .chain(["width(s)@100s", "width(X1)@100s", "width(X2)@100s"].map(str::to_owned))
         .collect();
-    let head = std::iter::once("setting".to_owned()).chain(widths.iter().map(|name| format!("{name} (prototype)")));
+    let head = std::iter::once("setting".to_owned()).chain(widths.iter().map(|name| format!("{name} (reference)")));
     let mut table = Table::new(head.chain(["containment".to_owned()]));
     for setting in SETTINGS {
-        let prototype = setting.prototype;
-        let reference = prototype.heading_rad.into_iter().chain([prototype.scale]).chain(prototype.arm_m);
+        let reference = setting.reference;
+        let reference = reference.heading_rad.into_iter().chain([reference.scale]).chain(reference.arm_m);
         let find = |metric: &str| {
             results
                 .table(LEVER)
                 .find(|row| row.row_name() == setting.label && row.metric_name() == metric)
                 .map_or_else(String::new, Table::cell)
         };
-        let cells = widths.iter().zip(reference).map(|(name, prototype)| format!("{} ({prototype})", find(name)));
+        let cells = widths.iter().zip(reference).map(|(name, reference)| format!("{} ({reference})", find(name)));
         let cells: Vec<String> = cells.collect();
         table = table.row(std::iter::once(setting.label.to_owned()).chain(cells).chain([find("containment")]));
     }

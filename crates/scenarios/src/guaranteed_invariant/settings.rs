@@ -1,4 +1,4 @@
-//! The nine settings of Problem 3 and what a prototype of the filter reached there.
+//! The nine settings of Problem 3 and what an independent computation reached there.
 
 use std::f64::consts::PI;
 
@@ -22,9 +22,9 @@ pub const ARM_PRIOR_M: f64 = 3.0;
 /// Prior bound of each coordinate of the position, m.
 pub const POSITION_PRIOR_M: f64 = 10.0;
 
-/// Widths that a floating-point prototype of the filter reached in one run.
+/// Widths that an independent computation in plain floating point reached in one run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Prototype {
+pub struct Reference {
     /// Heading at 10, 60 and 100 s, rad.
     pub heading_rad: [f64; 3],
     /// Scale at 100 s.
@@ -46,8 +46,8 @@ pub struct Setting {
     pub kind: NoiseKind,
     /// The truth.
     pub constants: Constants,
-    /// The prototype's widths.
-    pub prototype: Prototype,
+    /// Widths to compare with.
+    pub reference: Reference,
 }
 
 impl Setting {
@@ -113,5 +113,5 @@ const fn setting(
     constants: Constants,
     (heading_rad, scale, arm_m): ([f64; 3], f64, [f64; 2]),
 ) -> Setting {
-    Setting { label, turn_rate_rad_s, bounds, kind, constants, prototype: Prototype { heading_rad, scale, arm_m } }
+    Setting { label, turn_rate_rad_s, bounds, kind, constants, reference: Reference { heading_rad, scale, arm_m } }
 }

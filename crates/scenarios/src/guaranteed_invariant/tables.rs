@@ -124,7 +124,7 @@ pub fn broken(studies: &[Broken]) -> Vec<Row> {
     studies.iter().flat_map(rows).collect()
 }
 
-/// Problem 3: widths, and how they stand to the prototype's.
+/// Problem 3: widths, and how they stand to the reference.
 #[must_use]
 pub fn lever(studies: &[Runs]) -> Vec<Row> {
     let run = SETTINGS.iter().zip(studies).filter(|(_, runs)| !runs.is_empty());
@@ -136,7 +136,7 @@ fn lever_rows(setting: &Setting, runs: &[LeverRun]) -> Vec<Row> {
         |metric: String, unit: &str| Row::new(LEVER, setting.label, STRIPS).mode(Mode::Rigorous).metric(metric, unit);
     let mut rows = Vec::new();
     let mut ratios = Vec::new();
-    let mut width = |name: &str, unit: &str, second: usize, prototype: f64, of: fn(&LeverStep) -> f64| {
+    let mut width = |name: &str, unit: &str, second: usize, reference: f64, of: fn(&LeverStep) -> f64| {
         let samples: Vec<f64> = runs.iter().filter_map(|run| run.at(second * FIX_EVERY)).map(of).collect();
         rows.push(row(format!("width({name})@{second}s"), unit).mean_of(&samples));
         if second == LOOKED_AT_S[2] {
@@ -144,15 +144,15 @@ fn lever_rows(setting: &Setting, runs: &[LeverRun]) -> Vec<Row> {
             rows.push(row(format!("width({name})@{second}s/largest"), unit).value(largest));
         }
         let mean = samples.iter().sum::<f64>() / samples.len() as f64;
-        ratios.push(row(format!("width({name})@{second}s / prototype"), "").value(mean / prototype));
+        ratios.push(row(format!("width({name})@{second}s / reference"), "").value(mean / reference));
     };
-    for (second, prototype) in LOOKED_AT_S.into_iter().zip(setting.prototype.heading_rad) {
-        width("theta", "rad", second, prototype, |step| step.heading_rad);
+    for (second, reference) in LOOKED_AT_S.into_iter().zip(setting.reference.heading_rad) {
+        width("theta", "rad", second, reference, |step| step.heading_rad);
     }
     let last = LOOKED_AT_S[2];
-    width("s", "", last, setting.prototype.scale, |step| step.scale.width());
-    width("X1", "m", last, setting.prototype.arm_m[0], |step| step.arm_m[0].width());
-    width("X2", "m", last, setting.prototype.arm_m[1], |step| step.arm_m[1].width());
+    width("s", "", last, setting.reference.scale, |step| step.scale.width());
+    width("X1", "m", last, setting.reference.arm_m[0], |step| step.arm_m[0].width());
+    width("X2", "m", last, setting.reference.arm_m[1], |step| step.arm_m[1].width());
     rows.extend(ratios);
     rows.extend(containment_of(runs).map(|(metric, unit, value)| row(metric.to_owned(), unit).value(value)));
     rows.push(row("rows/largest".to_owned(), "").value(runs.iter().map(|run| run.most_rows).max().unwrap_or(0) as f64));
