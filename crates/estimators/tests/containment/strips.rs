@@ -87,7 +87,9 @@ impl Truth {
         self.heading += turn + alpha;
         self.position = [self.position[0] + moved[0], self.position[1] + moved[1]];
         [0, 1].map(|k| {
-            let y = self.position[k].mid() + drawn[3 + k] * (RECEIVER - self.position[k].rad() - 1e-14);
+            // The rounding of y is less than the last term.
+            let (middle, radius) = (self.position[k].mid(), self.position[k].rad());
+            let y = middle + drawn[3 + k] * (RECEIVER - radius - 1e-15 * (10.0 + middle.abs()));
             let noise = Interval::point(y) - self.position[k];
             assert!(self.factor > 1.0 || noise.mag() <= RECEIVER, "the measurement keeps its bound");
             y
