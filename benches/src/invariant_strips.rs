@@ -3,11 +3,13 @@
 
 use std::hint::black_box;
 
+use estimators::kalman::wheels::{InvariantWheels, WheelStep};
+use estimators::kalman::{Gaussian, OnGroup, Ukf};
 use estimators::{
     Estimator, InZsmf, InvariantStrips, Left, Outputs, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions,
 };
 use lie_groups::SE2;
-use nalgebra::Vector3;
+use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use scalars::Interval;
 use scenarios::figure::{Figure, Look, Panel, Series};
 use setrep::{BoxedRows, Reduction, Zonotope};
@@ -25,6 +27,7 @@ pub fn benches() -> Vec<Bench> {
     let mut benches: Vec<Bench> =
         names.map(|(name, options)| Bench::new(name, "40-programs-4x150", stepping(options), forty_programs())).into();
     benches.push(Bench::new("strips-step/se2", "inzsmf-step", stepping(StripsOptions::pose()), inzsmf_step()));
+    benches.push(Bench::new("strips-step/se2", "ukf-step", stepping(StripsOptions::pose()), ukf_step()));
     benches
 }
 
@@ -75,6 +78,21 @@ fn inzsmf_step() -> impl FnMut() + 'static {
     move || {
         if let Some(y) = measured.next() {
             filter.step(black_box(&increment), &y).expect("the filter converges");
+        }
+    }
+}
+
+/// A step of the unscented filter on the group.
+fn ukf_step() -> impl FnMut() + 'static {
+    let start = Gaussian::new(SE2::from_pose(std::f64::consts::FRAC_PI_2, 20.0, 0.0), &Matrix3::identity());
+    let (process, noise) = (Matrix3::identity() * 1e-6, Matrix2::identity());
+    let mut filter: Ukf<InvariantWheels, OnGroup<SE2<f64>, Left, 2>, 3, 2, 3, 2> =
+        start.and_then(|start| Ukf::new(InvariantWheels, start, &process, &noise)).expect("covariances are positive");
+    let (step, mut measured) = (WheelStep::new(TURN_RAD, Vector2::new(WAY_M, 0.0)), positions());
+    move || {
+        if let Some(y) = measured.next() {
+            filter.predict(black_box(&step)).expect("the step is finite");
+            filter.update(&y).expect("the filter converges");
         }
     }
 }
