@@ -217,10 +217,11 @@ impl InvariantStrips {
         self.bound()
     }
 
-    /// Upper bound of `<d, x_j>`. The lever `conj(S) d` is exact along an axis; elsewhere its rounding is added.
+    /// Upper bound of `<d, x_j>`. The lever `conj(S) d` is exact for units of the axes; elsewhere its rounding is added.
     pub(super) fn place_support(&mut self, j: usize, d: Vector) -> Result<f64, EstimatorError> {
         let s = self.path[j];
-        let lost = if d[0] == 0.0 || d[1] == 0.0 {
+        let unit = |along: f64, across: f64| along.abs() == 1.0 && across == 0.0;
+        let lost = if unit(d[0], d[1]) || unit(d[1], d[0]) {
             0.0
         } else {
             mul_up(8.0 * f64::EPSILON, mul_up(norm1(s), mul_up(norm1(d), self.enclosure.scale.hi())))

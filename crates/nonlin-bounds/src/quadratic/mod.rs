@@ -146,7 +146,7 @@ impl QuadraticEnclosure {
         let found = self.curvature.interval_hull_into(&mut hull, &mut workspace.sets);
         let Parts { zeros, kept, kept_rows, .. } = &mut workspace.quadratic;
         let result = found.and_then(|()| {
-            // An empty set stays one; sums of sides must not overflow.
+            // An empty set stays one. Sums of sides do not overflow, so that neither of the two calls below can fail.
             if !hull.iter().all(|side| !side.is_empty() && side.mag() < f64::MAX / 8.0) {
                 return Ok(());
             }
