@@ -6,13 +6,13 @@ use crate::guaranteed_invariant::lever_run::LeverRun;
 use crate::guaranteed_invariant::lever_study::Runs;
 use crate::guaranteed_invariant::noise::Drive;
 use crate::guaranteed_invariant::planar::{Cell, Loss, SETTLED};
-use crate::guaranteed_invariant::robot::SpeedRule;
 use crate::guaranteed_invariant::robot_study::{RobotCell, RobotLog, Source};
 use crate::guaranteed_invariant::settings::{SETTINGS, SHARP};
 use crate::inzsmf::containment::Watched;
 use crate::region::Containment;
 use crate::report::significant;
 use crate::vehicle::PERIOD_S;
+use crate::wifibot::odometry::Rule;
 
 /// All studies.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +38,7 @@ pub fn findings(evidence: &Evidence<'_>) -> Vec<String> {
     findings.extend(sizes(evidence));
     findings.push(proofs(evidence.broken));
     findings.extend(sharp(evidence.levers));
-    findings.extend(evidence.logs.iter().filter(|log| log.rule == SpeedRule::Ends).flat_map(robot));
+    findings.extend(evidence.logs.iter().filter(|log| log.rule == Rule::Ends).flat_map(robot));
     findings
 }
 

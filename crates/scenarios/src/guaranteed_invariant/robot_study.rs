@@ -3,17 +3,15 @@
 use crate::data::wifibot::load;
 use crate::guaranteed_invariant::lever::Bounds;
 use crate::guaranteed_invariant::lever_run::LeverRun;
-use crate::guaranteed_invariant::robot::{Log, SpeedRule};
+use crate::guaranteed_invariant::robot::Log;
 use crate::noise::{BoundedNoise, NoiseKind};
 use crate::wifibot::LOGS;
-use crate::wifibot::odometry::SAFETY;
+use crate::wifibot::odometry::{Rule, SAFETY};
+use crate::wifibot::wheels::fit::ADDED_LEVER_M;
 use crate::{Context, ScenarioError, monte_carlo};
 
 /// Bounds of the position noises, m.
 pub const FIX_BOUNDS_M: [f64; 2] = [1.0, 0.05];
-/// The arm that is added to the reference, m.
-pub const ARM_M: [f64; 2] = [0.5, 0.3];
-
 /// Lengths of a window, s. Errors grow slower than the way driven, so longer windows have relatively sharper bounds, and fewer fixes.
 pub const WINDOWS_S: [f64; 2] = [1.0, 5.0];
 
@@ -72,7 +70,7 @@ pub struct RobotLog {
     /// The log.
     pub log: Log,
     /// The rule of its speeds.
-    pub rule: SpeedRule,
+    pub rule: Rule,
     /// The cells.
     pub cells: Vec<RobotCell>,
 }
@@ -85,9 +83,9 @@ pub fn study(context: &Context<'_>, experiment: &'static str, runs: usize) -> Re
     let mut logs = Vec::new();
     for number in LOGS {
         let samples = load(context.data, experiment, number)?;
-        for rule in SpeedRule::ALL {
+        for rule in Rule::ALL {
             for window_s in WINDOWS_S {
-                let log = Log::new(number, &samples, rule, window_s);
+                let log = Log::new(number, &samples, rule, window_s)?;
                 let cells = wanted(context.quick, rule, window_s)
                     .map(|(source, fix_m)| cell(context, &log, source, fix_m, runs))
                     .collect::<Result<Vec<_>, _>>()?;
@@ -100,8 +98,8 @@ pub fn study(context: &Context<'_>, experiment: &'static str, runs: usize) -> Re
 
 /// What is run on a log: all sources of bounds on windows of a second by the right rule, the stated bounds otherwise; in quick mode the
 /// stated bounds with sharp fixes by the right rule only.
-fn wanted(quick: bool, rule: SpeedRule, window_s: f64) -> impl Iterator<Item = (Source, f64)> {
-    let ends = rule == SpeedRule::Ends;
+fn wanted(quick: bool, rule: Rule, window_s: f64) -> impl Iterator<Item = (Source, f64)> {
+    let ends = rule == Rule::Ends;
     let every = !quick && ends && window_s == WINDOWS_S[0];
     let sources = Source::ALL.into_iter().filter(move |&source| every || source == Source::WholeLog);
     let all = sources.flat_map(|source| FIX_BOUNDS_M.map(|fix_m| (source, fix_m)));
@@ -113,7 +111,7 @@ fn cell(context: &Context<'_>, log: &Log, source: Source, fix_m: f64, runs: usiz
     let name = format!("guaranteed-invariant, log {}, {} s", log.number, log.window_s);
     let runs = monte_carlo::run(context, &name, runs, |_, rng| {
         let mut noise = BoundedNoise::new(NoiseKind::Uniform, [fix_m; 2]);
-        let truth = log.run(ARM_M, &bounds, source == Source::WholeLog, || noise.draw(rng))?;
+        let truth = log.run(ADDED_LEVER_M, &bounds, source == Source::WholeLog, || noise.draw(rng))?;
         LeverRun::new(&truth, &bounds)
     })?;
     Ok(RobotCell { source, bounds, admissible: log.admissible_scales(&bounds), runs })
