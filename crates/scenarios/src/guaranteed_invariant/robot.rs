@@ -15,6 +15,7 @@ use scalars::Interval;
 use crate::ScenarioError;
 use crate::data::wifibot::Sample;
 use crate::guaranteed_invariant::lever::{Bounds, Constants, Increment, LeverTruth, fix, noise_between, prove};
+use crate::guaranteed_invariant::robot_spans::Span;
 use crate::metrics::wrap_angle;
 use crate::truth::Exact;
 use crate::vehicle::{Pose, TruePose};
@@ -95,22 +96,25 @@ impl Log {
         steps.map(|(pair, increment)| noise_between(&pair[0], &pair[1], increment, self.scale))
     }
 
-    /// The scales for which the reference keeps the bounds on the displacements: what no filter that is told these bounds can be narrower
-    /// than, even with perfect fixes and headings. None if there is none.
+    /// The scales for which the reference keeps the bounds on the displacements, over windows and spans: what no filter that is told these bounds
+    /// can be narrower than, even with perfect fixes and headings. None if there is none.
     #[must_use]
-    pub fn admissible_scales(&self, bounds: &Bounds) -> Option<[f64; 2]> {
-        // With n = m / s - U: |n| <= b says 1/s in [(U - b) / m, (U + b) / m].
+    pub fn admissible_scales(&self, bounds: &Bounds, spans: &[Span]) -> Option<[f64; 2]> {
         let (mut lo, mut hi) = (0.0_f64, f64::INFINITY);
+        // With n = m / s - u: |n| <= b says 1/s in [(u - b) / m, (u + b) / m].
+        let mut add = |[m, u, b]: [f64; 3]| {
+            if m != 0.0 {
+                let (a, c) = ((u - b) / m, (u + b) / m);
+                (lo, hi) = (lo.max(a.min(c)), hi.min(a.max(c)));
+            }
+        };
         for (noise, increment) in self.noises().zip(&self.increments) {
             for k in 0..2 {
                 let (u, b) = (increment.shift_m[k], bounds.shift_m[k]);
-                let moved = (noise[k + 1].mid() + u) * self.scale;
-                if moved != 0.0 {
-                    let (a, c) = ((u - b) / moved, (u + b) / moved);
-                    (lo, hi) = (lo.max(a.min(c)), hi.min(a.max(c)));
-                }
+                add([(noise[k + 1].mid() + u) * self.scale, u, b]);
             }
         }
+        spans.iter().flat_map(|span| span.chords(self)).flatten().for_each(add);
         (0.0 < lo && lo <= hi).then(|| [1.0 / hi, 1.0 / lo])
     }
 
@@ -247,8 +251,12 @@ mod tests {
     fn admissible_scales_follow_from_the_bound() {
         let log = log(1.0);
         let bounds = Bounds { turn_rad: 1.0, shift_m: [0.01, 0.1], fix_m: 1.0 };
-        let [lo, hi] = log.admissible_scales(&bounds).unwrap();
+        let [lo, hi] = log.admissible_scales(&bounds, &[]).unwrap();
         assert!(lo < log.scale && log.scale < hi);
         assert!(hi - lo < 2.0 * 0.95 * 0.01 / 0.5 && hi - lo > 0.5 * 2.0 * 0.95 * 0.01 / 0.5, "{}", hi - lo);
+        // Ten seconds with the bound of one.
+        let span = Span { chord_m: bounds.shift_m, ..Span::new(&log, 10, SAFETY) };
+        let [lo, hi] = log.admissible_scales(&bounds, &[span]).unwrap();
+        assert!(hi - lo < 2.2 * 0.95 * 0.01 / 5.0, "{}", hi - lo);
     }
 }
