@@ -11,4 +11,5 @@ mod strips;
 mod strips_calibration;
 mod strips_groups;
 mod strips_hard;
+mod strips_spans;
 mod vehicle;
