@@ -57,6 +57,27 @@ impl Arc {
         if wide.is_whole() || !wide.width().is_finite() { Self::whole() } else { wide }
     }
 
+    /// The angles in both, in the numbers of `other`, if that is one arc for certain; `None` otherwise.
+    pub(super) fn common(&self, other: &Self) -> Option<Self> {
+        if self.is_whole() {
+            return None;
+        }
+        if other.is_whole() {
+            return Some(*self);
+        }
+        let turns = ((other.middle() - self.middle()) / TURN).round();
+        let mut found = None;
+        for k in [-1.0, 0.0, 1.0] {
+            // The copy of this arc, rounded outward.
+            let copy = self.angles() + Interval::PI.scale(2.0 * (turns + k));
+            let (lo, hi) = (copy.lo().max(other.lo), copy.hi().min(other.hi));
+            if lo <= hi && found.replace(Self { lo, hi }).is_some() {
+                return None;
+            }
+        }
+        found
+    }
+
     /// The hull of what the caps leave; `None` if they leave nothing. Of the whole circle the largest gap is taken out.
     ///
     /// The caps are in the order of their centers, which lie less than a turn apart. Ends move to the ends of caps rounded inward, so
@@ -186,6 +207,20 @@ mod tests {
         let left = arc.without(&caps).unwrap();
         assert!((left.lo - 2.7).abs() < 1e-14 && (left.hi - (TURN - 2.3)).abs() < 1e-14, "{left:?}");
         assert_eq!(Arc { lo: 0.1, hi: 0.2 }.without(&[Cap { center: 0.0, reach: 0.5 }]), None);
+    }
+
+    #[test]
+    fn common_angles_are_one_arc_or_nothing_is_said() {
+        let arc = |lo: f64, hi: f64| Arc { lo, hi };
+        let close = |a: Arc, lo: f64, hi: f64| (a.lo - lo).abs() < 1e-14 && (a.hi - hi).abs() < 1e-14;
+        assert_eq!(arc(0.0, 2.0).common(&arc(1.0, 3.0)), Some(arc(1.0, 2.0)));
+        // A turn apart.
+        assert!(close(arc(0.0, 2.0).common(&arc(1.0 + TURN, 3.0 + TURN)).unwrap(), 1.0 + TURN, 2.0 + TURN));
+        // Both ends of one are in the other: two arcs.
+        assert_eq!(arc(-2.5, 2.5).common(&arc(2.0, 4.5)), None);
+        assert_eq!(arc(0.0, 1.0).common(&arc(2.0, 3.0)), None);
+        assert_eq!(Arc::whole().common(&arc(2.0, 3.0)), None);
+        assert_eq!(arc(2.0, 3.0).common(&Arc::whole()), Some(arc(2.0, 3.0)));
     }
 
     #[test]

@@ -14,15 +14,23 @@ use crate::EstimatorError;
 /// ```
 ///
 /// with `m_j = n_j` for [`odometry`](Self::odometry) and `m_j = e^{i turn} V(i alpha) n_j`, `V(z) = (e^z - 1) / z`, for
-/// [`exponential`](Self::exponential); `alpha` and the `n_j` are in their ranges. What is known is an interval too: point
-/// intervals for plain numbers.
+/// [`exponential`](Self::exponential); for [`chord`](Self::chord) `U_j + m_j = e^{i alpha/2} (U_j + n_j U_j / |U_j|)`. `alpha` and the `n_j` are in
+/// their ranges. What is known is an interval too: point intervals for plain numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanarIncrement {
     pub(super) turn: Interval,
     pub(super) turn_noise: Interval,
     pub(super) first: BodyShift,
     pub(super) others: Vec<BodyShift>,
-    pub(super) exponential: bool,
+    pub(super) form: Form,
+}
+
+/// How the noises enter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    Additive,
+    Exponential,
+    Chord,
 }
 
 /// The shift of one vector of the world, and the range of its noise.
@@ -51,7 +59,7 @@ impl PlanarIncrement {
         // V(i turn) = C_1 + i turn C_2 with the Stumpff functions C_k(turn^2).
         let (c, s) = (turn.sqr().stumpff(1), turn * turn.sqr().stumpff(2));
         let first = BodyShift { shift: [c * forward - s * left, s * forward + c * left], noise: [noise[1], noise[2]] };
-        Self { turn, turn_noise: noise[0], first, others: Vec::new(), exponential: true }
+        Self { turn, turn_noise: noise[0], first, others: Vec::new(), form: Form::Exponential }
     }
 
     /// Measured turn and shift with additive noises: the shift is that of the body frame before the turn.
@@ -61,7 +69,21 @@ impl PlanarIncrement {
     #[must_use]
     pub fn odometry(turn: Interval, shift: [Interval; 2], turn_noise: Interval, shift_noise: [Interval; 2]) -> Self {
         let first = BodyShift { shift, noise: shift_noise };
-        Self { turn, turn_noise, first, others: Vec::new(), exponential: false }
+        Self { turn, turn_noise, first, others: Vec::new(), form: Form::Additive }
+    }
+
+    /// A longer way by its chord: `shift` is what dead reckoning makes of it, `noise` its error along and across itself, after half of the error
+    /// of the turn is taken off.
+    ///
+    /// ```text
+    /// theta+ = theta + turn + alpha,   x+ = x + s e^{i (theta + alpha/2)} (U + n U / |U|)
+    /// ```
+    ///
+    /// A gyro that errs evenly turns the chord by half of what it errs in all: that is no error of the shift here, as it would be for
+    /// [`odometry`](Self::odometry). `U / |U|` is 1 for `U = 0`. See [`InvariantStrips::bound_span`](crate::InvariantStrips::bound_span).
+    #[must_use]
+    pub fn chord(turn: Interval, shift: [Interval; 2], turn_noise: Interval, noise: [Interval; 2]) -> Self {
+        Self { form: Form::Chord, ..Self::odometry(turn, shift, turn_noise, noise) }
     }
 
     /// The same step with the shift and the noise of one more vector of the world, in the order of the state.

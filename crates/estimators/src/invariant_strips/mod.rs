@@ -19,9 +19,11 @@ mod pieces;
 mod planar_box;
 mod plane;
 mod reframe;
+mod spans;
 mod sweep;
 mod tags;
 mod transport;
+mod way;
 
 pub use increment::PlanarIncrement;
 pub use measurement::PlanarMeasurement;
@@ -34,6 +36,7 @@ use pieces::Union;
 use plane::{Region, Vector, largest_modulus};
 use scalars::Interval;
 use setrep::BoxedRows;
+use spans::Spans;
 use tags::{Pruning, Tag};
 use transport::Motion;
 
@@ -120,6 +123,7 @@ pub struct InvariantStrips {
     /// Rows that carry the bounds of the contraction under way: what takes part if it leaves nothing.
     suspects: Vec<usize>,
     motion: Motion,
+    spans: Spans,
     before: Before,
     pruning: Pruning,
     normal: Vec<f64>,
@@ -175,6 +179,7 @@ impl InvariantStrips {
             emptied: false,
             suspects: Vec::new(),
             motion: Motion::new(fixed, body),
+            spans: Spans::default(),
             before: Before { arc, enclosure: prior.clone(), axis: [1.0, 0.0], turned },
             pruning: Pruning::default(),
             normal: vec![0.0; embedding.dim()],
@@ -206,13 +211,14 @@ impl InvariantStrips {
     /// Drops the rows that are not worth their time.
     fn prune(&mut self) {
         self.find_center();
-        let Self { rows, tags, pruning, center, options, instant, .. } = self;
+        let Self { rows, tags, spans, pruning, center, options, instant, .. } = self;
         let slack = |i: usize| {
             let reached: f64 = rows.normal(i).iter().zip(&*center).map(|(a, x)| a * x).sum();
             rows.offsets()[i] - reached
         };
         pruning.choose(tags, *instant, options, slack);
         rows.retain(|i| pruning.keep[i]);
+        spans.retain(&pruning.keep);
         let mut i = 0;
         tags.retain(|_| {
             i += 1;

@@ -21,13 +21,16 @@ pub struct StripsOptions {
     pub support_life: usize,
     /// Directions in which a wide heading is cut.
     pub caps: usize,
+    /// Predictions back to which bounds on the motion over several of them reach: see
+    /// [`InvariantStrips::bound_span`](crate::InvariantStrips::bound_span). 0 if there are none.
+    pub spans: usize,
 }
 
 impl StripsOptions {
     /// For a pose measured at a high rate: about 110 rows, at most 210.
     #[must_use]
     pub const fn pose() -> Self {
-        Self { memory: 300, bucket: 20, refresh: 10, aligned: false, support_life: 300, caps: 48 }
+        Self { memory: 300, bucket: 20, refresh: 10, aligned: false, support_life: 300, caps: 48, spans: 0 }
     }
 
     /// As [`pose`](Self::pose) without the refreshed rows: faster, and the area some percent larger.
@@ -39,7 +42,7 @@ impl StripsOptions {
     /// For scale and lever arms, measured at a low rate: some 200 rows, more while the heading is wide.
     #[must_use]
     pub const fn calibration() -> Self {
-        Self { memory: 40, bucket: 0, refresh: 1, aligned: true, support_life: 30, caps: 48 }
+        Self { memory: 40, bucket: 0, refresh: 1, aligned: true, support_life: 30, caps: 48, spans: 0 }
     }
 
     pub(super) fn check(&self) -> Result<(), EstimatorError> {

@@ -45,6 +45,7 @@ impl InvariantStrips {
             let roundings = 8.0 * (1 + path.len()) as f64;
             *offset = add_up(*offset, mul_up(farthest, roundings * UNIT_ROUNDOFF * size));
         })?;
+        self.spans.clear();
         self.path.iter_mut().for_each(|s| *s = [0.0; 2]);
         self.reach.clone_from(&self.enclosure.fixed);
         Ok(())

@@ -24,22 +24,30 @@ use scalars::rounding::{ETA, UNIT_ROUNDOFF, add_up, mul_up};
 
 use super::InvariantStrips;
 use super::arc::Arc;
+use super::embedding::Embedding;
 use super::increment::PlanarIncrement;
 use super::planar_box::check_bounded;
 use super::plane::{Region, Vector, largest_modulus, middle, modulus_up, norm1, point, product, radius, sum, unit};
 use super::sweep::Sweep;
+use super::way::{Drift, Way};
 use crate::EstimatorError;
 use crate::error::check_finite;
 
 /// The rounding of a sum of some dozen products, relative.
 const SLACK: f64 = 1.0 + 1e-13;
 
-/// What a step adds to the rows by the noise of one vector of the world.
-#[derive(Debug, Clone, Copy)]
-struct Drift {
-    noise: Sweep,
-    /// Radius of a disc that is added, rounding included.
-    disc: f64,
+/// All that decides what the noise of a motion can take from a row.
+pub(super) struct Account<'a> {
+    pub(super) drifts: &'a [Drift],
+    /// Boxes of `xi_l / axis` at its start.
+    pub(super) turned: &'a [Region],
+    pub(super) axis: Vector,
+    pub(super) scale: Interval,
+    pub(super) embedding: Embedding,
+    /// `i e^{i (phi + alpha/2)}`, `phi` at the start.
+    pub(super) swing: Sweep,
+    /// Largest turn by the noise.
+    pub(super) most: f64,
 }
 
 /// The constants of one step, reused by all rows.
@@ -88,46 +96,32 @@ impl InvariantStrips {
         let motion = &mut self.motion;
         motion.drifts.clear();
         let heading = unit(Interval::point(self.reference));
-        // The phase of the noise, apart from the heading.
-        let phase = if input.exponential { input.turn + input.turn_noise.scale(0.5) } else { Interval::ZERO };
-        let noise_angles = Interval::point(self.reference) + self.arc.angles() + phase;
         let headings = Interval::point(self.reference) + self.arc.angles();
-        let facing = unit(headings);
+        let slip = input.turn - (Interval::point(reference) - Interval::point(self.reference));
+        let facing = unit(headings.inflate(input.chord_turn(most)));
         for (j, path) in self.path.iter().enumerate() {
-            let shift = input.of_vector(j);
-            // The middle of the noise is a part of the shift; of V(i alpha) - 1 at most |alpha| / 2 is left.
-            let center = point(middle(&shift.noise));
-            let (offset, lost) = if input.exponential {
-                let lost = mul_up(0.5 * input.turn_noise.mag(), largest_modulus(&center));
-                (product(&unit(input.turn), &center), lost)
-            } else {
-                (center, 0.0)
-            };
-            let moved = sum(&shift.shift, &offset);
-            let stretch = product(&heading, &moved);
-            let next = sum(&point(*path), &stretch);
+            let way = input.way(j, slip);
+            let Way { moved, lost, extent, .. } = way;
+            let next = sum(&point(*path), &product(&heading, &moved));
             let path_next = middle(&next);
-            let missed = radius(&next);
-            let [along, across] = [shift.noise[0].rad(), shift.noise[1].rad()];
-            let noise = Sweep::new(noise_angles, &[[along, across], [along, -across]]);
-            let disc = add_up(lost, missed);
-            motion.drifts.push(Drift { noise, disc });
+            let drift = Drift::new(&way, [*path, path_next], radius(&next), headings, most);
+            motion.drifts.push(drift);
             motion.path[j] = path_next;
 
             // The hull of the vector, in the world.
-            let spread = |d: Vector| mul_up(farthest, add_up(noise.sup_abs(d), lost) * SLACK);
+            let spread = |d: Vector| mul_up(farthest, add_up(drift.noise.sup_abs(d), lost) * SLACK);
             let step = product(&facing, &moved);
             motion.fixed[j] = [
                 (self.enclosure.fixed[j][0] + scale * step[0]).inflate(spread([1.0, 0.0])),
                 (self.enclosure.fixed[j][1] + scale * step[1]).inflate(spread([0.0, 1.0])),
             ];
             // The reach of q.
-            let wander = add_up(disc, add_up(modulus_up([along, across]), mul_up(modulus_up(path_next), most)));
+            let wander = add_up(drift.disc, add_up(extent, mul_up(modulus_up(drift.lever), most)));
             let growth = mul_up(farthest, wander);
             motion.reach[j] = self.reach[j].map(|side| side.inflate(growth));
             // Room for 128 steps like this one, the path growing to 64 of them on average.
             let turned_by_then = 64.0 * most * modulus_up(middle(&moved));
-            motion.drift[j] = 128.0 * farthest * (modulus_up([along, across]) + turned_by_then);
+            motion.drift[j] = 128.0 * farthest * (extent + turned_by_then);
             check_finite("path", &path_next)?;
             check_bounded("position", &motion.fixed[j])?;
             check_bounded("position", &motion.reach[j])?;
@@ -145,10 +139,9 @@ impl InvariantStrips {
 
     /// Takes the step that has been prepared.
     pub(super) fn transport(&mut self) {
+        self.remember();
         let (reference, most) = (self.motion.reference, self.motion.most);
-        let half = 0.5 * most;
-        let swing = Sweep::new(self.arc.angles().inflate(half), &[[0.0, 1.0]]);
-        self.move_rows(&swing, most, half);
+        self.move_rows(most);
         core::mem::swap(&mut self.path, &mut self.motion.path);
         core::mem::swap(&mut self.enclosure.fixed, &mut self.motion.fixed);
         core::mem::swap(&mut self.turned, &mut self.motion.turned);
@@ -161,48 +154,19 @@ impl InvariantStrips {
     }
 
     /// Adds to every row what the noise of the step can take from it.
-    fn move_rows(&mut self, swing: &Sweep, most: f64, half: f64) {
-        let Self { rows, motion, embedding, enclosure, turned, axis, .. } = self;
-        let (nearest, farthest) = (enclosure.scale.lo(), enclosure.scale.hi());
-        for i in 0..rows.len() {
-            let normal = rows.normal(i);
-            let mut lever: Vector = [normal[0], normal[1]];
-            let mut size = norm1(lever);
-            let mut drift = 0.0;
-            for (j, (path, moved)) in motion.path.iter().zip(&motion.drifts).enumerate() {
-                let column = embedding.fixed(j);
-                let d: Vector = [normal[column], normal[column + 1]];
-                if d == [0.0, 0.0] {
-                    continue;
-                }
-                lever[0] -= path[0] * d[0] + path[1] * d[1];
-                lever[1] -= path[0] * d[1] - path[1] * d[0];
-                size += norm1(*path) * norm1(d);
-                drift += moved.noise.sup_abs(d) + moved.disc * norm1(d);
-            }
-            let mut low = -swing.sup([-lever[0], -lever[1]]);
-            low *= if low < 0.0 { farthest } else { nearest };
-            let mut high = swing.sup(lever);
-            high *= if high > 0.0 { farthest } else { nearest };
-            let mut pad = size * farthest;
-            for (l, sides) in turned.iter().enumerate() {
-                let column = embedding.body(l);
-                let k: Vector = [normal[column], normal[column + 1]];
-                if k == [0.0, 0.0] {
-                    continue;
-                }
-                // <k, i e^{i alpha/2} xi> with xi = axis (A_1 + i A_2), turned by at most half.
-                let g: Vector = [axis[0] * k[1] - axis[1] * k[0], -(axis[0] * k[0] + axis[1] * k[1])];
-                let extent = sides[0].mag() + sides[1].mag();
-                let center = g[0] * sides[0].mid() + g[1] * sides[1].mid();
-                let spread = g[0].abs() * sides[0].rad() + g[1].abs() * sides[1].rad() + half * extent * norm1(k);
-                low += center - spread;
-                high += center + spread;
-                pad += norm1(k) * extent;
-            }
-            let turning = most * (high.max(-low).max(0.0) + 64.0 * UNIT_ROUNDOFF * pad);
-            let growth = (turning + farthest * drift) * SLACK + 1e3 * ETA;
-            rows.raise(i, growth);
+    fn move_rows(&mut self, most: f64) {
+        let account = Account {
+            drifts: &self.motion.drifts,
+            turned: &self.turned,
+            axis: self.axis,
+            scale: self.enclosure.scale,
+            embedding: self.embedding,
+            swing: Sweep::new(self.arc.angles().inflate(0.5 * most), &[[0.0, 1.0]]),
+            most,
+        };
+        for i in 0..self.rows.len() {
+            let growth = account.growth(self.rows.normal(i));
+            self.rows.raise(i, growth);
         }
     }
 
@@ -212,5 +176,51 @@ impl InvariantStrips {
             return Arc::whole().angles();
         }
         Interval::point(self.reference) + self.arc.angles()
+    }
+}
+
+impl Account<'_> {
+    /// What the noise can take from a row of this normal.
+    pub(super) fn growth(&self, normal: &[f64]) -> f64 {
+        let (most, half) = (self.most, 0.5 * self.most);
+        let (nearest, farthest) = (self.scale.lo(), self.scale.hi());
+        let mut lever: Vector = [normal[0], normal[1]];
+        let mut size = norm1(lever);
+        let mut drift = 0.0;
+        for (j, moved) in self.drifts.iter().enumerate() {
+            let path = moved.lever;
+            let column = self.embedding.fixed(j);
+            let d: Vector = [normal[column], normal[column + 1]];
+            if d == [0.0, 0.0] {
+                continue;
+            }
+            lever[0] -= path[0] * d[0] + path[1] * d[1];
+            lever[1] -= path[0] * d[1] - path[1] * d[0];
+            size += norm1(path) * norm1(d);
+            drift += moved.noise.sup_abs(d) + moved.disc * norm1(d);
+        }
+        let mut low = -self.swing.sup([-lever[0], -lever[1]]);
+        low *= if low < 0.0 { farthest } else { nearest };
+        let mut high = self.swing.sup(lever);
+        high *= if high > 0.0 { farthest } else { nearest };
+        let mut pad = size * farthest;
+        for (l, sides) in self.turned.iter().enumerate() {
+            let column = self.embedding.body(l);
+            let k: Vector = [normal[column], normal[column + 1]];
+            if k == [0.0, 0.0] {
+                continue;
+            }
+            // <k, i e^{i alpha/2} xi> with xi = axis (A_1 + i A_2), turned by at most half.
+            let axis = self.axis;
+            let g: Vector = [axis[0] * k[1] - axis[1] * k[0], -(axis[0] * k[0] + axis[1] * k[1])];
+            let extent = sides[0].mag() + sides[1].mag();
+            let center = g[0] * sides[0].mid() + g[1] * sides[1].mid();
+            let spread = g[0].abs() * sides[0].rad() + g[1].abs() * sides[1].rad() + half * extent * norm1(k);
+            low += center - spread;
+            high += center + spread;
+            pad += norm1(k) * extent;
+        }
+        let turning = most * (high.max(-low).max(0.0) + 64.0 * UNIT_ROUNDOFF * pad);
+        (turning + farthest * drift) * SLACK + 1e3 * ETA
     }
 }

@@ -5,10 +5,10 @@ use crate::guaranteed_invariant::courses::{Courses, POLYGON_STEPS, Reference, Tr
 use crate::guaranteed_invariant::lever_run::{LeverRun, LeverStep};
 use crate::guaranteed_invariant::lever_study::Runs;
 use crate::guaranteed_invariant::planar::STRIPS;
-use crate::guaranteed_invariant::robot::SpeedRule;
 use crate::guaranteed_invariant::robot_study::{FIX_BOUNDS_M, RobotCell, RobotLog, Source};
 use crate::guaranteed_invariant::settings::{PERIOD_S, SETTINGS};
 use crate::vehicle::PERIOD_S as STEP_S;
+use crate::wifibot::odometry::Rule;
 
 /// Steps drawn one by one at the start; after them every [`STRIDE`]-th.
 const DENSE_STEPS: usize = 100;
@@ -123,11 +123,12 @@ pub const LEVER_CAPTION: &str = "Problem 3: widths of the bounds over time, firs
 #[must_use]
 pub fn robot(logs: &[RobotLog]) -> Figure {
     let title = "Robot logs: unknown heading, wheel scale and antenna arm, stated bounds, fixes within 0.05 m";
-    let stated = |cell: &&RobotCell| cell.source == Source::WholeLog;
+    let stated = |cell: &&RobotCell| cell.source.holds();
     let mut courses: Vec<Drawn<'_>> = Vec::new();
-    for log in logs.iter().filter(|log| log.rule == SpeedRule::Ends) {
+    for log in logs.iter().filter(|log| log.rule == Rule::Ends) {
         for cell in log.cells.iter().filter(stated).filter(|cell| cell.bounds.fix_m == FIX_BOUNDS_M[1]) {
-            let label = format!("log {}, windows of {} s", log.log.number, log.log.window_s);
+            let spans = if cell.source == Source::Spans { " and spans" } else { "" };
+            let label = format!("log {}, windows of {} s{spans}", log.log.number, log.log.window_s);
             courses.push((label, Look::nth(courses.len()).solid(), &cell.runs[0], log.log.window_s));
         }
     }

@@ -6,13 +6,13 @@ use crate::guaranteed_invariant::lever_run::LeverRun;
 use crate::guaranteed_invariant::lever_study::Runs;
 use crate::guaranteed_invariant::noise::Drive;
 use crate::guaranteed_invariant::planar::{Cell, Loss, SETTLED};
-use crate::guaranteed_invariant::robot::SpeedRule;
-use crate::guaranteed_invariant::robot_study::{RobotCell, RobotLog, Source};
+use crate::guaranteed_invariant::robot_study::{RobotCell, RobotLog};
 use crate::guaranteed_invariant::settings::{SETTINGS, SHARP};
 use crate::inzsmf::containment::Watched;
 use crate::region::Containment;
 use crate::report::significant;
 use crate::vehicle::PERIOD_S;
+use crate::wifibot::odometry::Rule;
 
 /// All studies.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +38,7 @@ pub fn findings(evidence: &Evidence<'_>) -> Vec<String> {
     findings.extend(sizes(evidence));
     findings.push(proofs(evidence.broken));
     findings.extend(sharp(evidence.levers));
-    findings.extend(evidence.logs.iter().filter(|log| log.rule == SpeedRule::Ends).flat_map(robot));
+    findings.extend(evidence.logs.iter().filter(|log| log.rule == Rule::Ends).flat_map(robot));
     findings
 }
 
@@ -180,7 +180,7 @@ fn robot_cell(log: &RobotLog, cell: &RobotCell) -> String {
     let runs = cell.runs.len();
     let seconds = |of: fn(&LeverRun) -> Option<usize>| cell.runs.iter().filter_map(of).collect::<Vec<_>>();
     let (proofs, lost) = (seconds(|run| run.contradiction), seconds(LeverRun::lost));
-    if cell.source != Source::WholeLog {
+    if !cell.source.holds() {
         let at = |seconds: &[usize]| match (seconds.iter().min(), seconds.iter().max()) {
             (Some(first), Some(last)) => format!("in {} of {runs} runs, at window {first} to {last}", seconds.len()),
             _ => "in no run".to_owned(),

@@ -9,6 +9,7 @@ use setrep::Membership;
 use crate::ScenarioError;
 use crate::guaranteed_invariant::follow::{membership, within};
 use crate::guaranteed_invariant::lever::{Bounds, LeverTruth};
+use crate::guaranteed_invariant::robot_spans::Span;
 use crate::guaranteed_invariant::settings::{ARM_PRIOR_M, POSITION_PRIOR_M, SCALE_PRIOR};
 use crate::region::Containment;
 use crate::vehicle::TruePose;
@@ -49,10 +50,20 @@ impl LeverRun {
     /// # Errors
     /// Those of the filter, but for a proven contradiction, which ends the run.
     pub fn new(truth: &LeverTruth, bounds: &Bounds) -> Result<Self, ScenarioError> {
+        Self::with_spans(truth, bounds, &[])
+    }
+
+    /// The same with bounds on the motion over several increments, by which there is a fix after each.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_spans(truth: &LeverTruth, bounds: &Bounds, spans: &[Span]) -> Result<Self, ScenarioError> {
         let first = truth.states[0].rounded().position.map(|x| Interval::point(x) + within(POSITION_PRIOR_M));
         let scale = Interval::point(SCALE_PRIOR[0]).hull(Interval::point(SCALE_PRIOR[1]));
         let prior = PlanarBox::scale_and_lever_arm(Interval::ENTIRE, scale, first, [within(ARM_PRIOR_M); 2]);
-        let mut filter = InvariantStrips::new(&prior, StripsOptions::calibration())?;
+        let longest = spans.iter().map(|span| span.windows).max().unwrap_or(0);
+        let options = StripsOptions { spans: longest, ..StripsOptions::calibration() };
+        let mut filter = InvariantStrips::new(&prior, options)?;
         let mut run = Self {
             steps: Vec::with_capacity(truth.fixes.len()),
             contradiction: None,
@@ -70,6 +81,11 @@ impl LeverRun {
                 ))?;
             }
             moved = state;
+            for span in spans {
+                if let Some(motion) = span.motion_to(state) {
+                    filter.bound_span(span.windows, &motion)?;
+                }
+            }
             match filter.update(&[PlanarMeasurement::position(fix, [within(bounds.fix_m); 2]).with_unknown_arm(0)]) {
                 Err(EstimatorError::Inconsistent(proof)) => {
                     run.contradiction = Some(state);

@@ -1,7 +1,7 @@
 //! Experiment `guaranteed-invariant`: the filter of strips, which never loses the state, beside the filters of paper 000 that do.
 //!
 //! Reading order: [`noise`] and [`follow`] (paper 000's vehicle), [`planar`] and [`broken`] (studies on it), [`lever`] and [`settings`]
-//! (Problem 3 of paper 002), [`lever_run`] and [`lever_study`], [`robot`] and [`robot_study`] (real logs), [`courses`] and [`figures`],
+//! (Problem 3 of paper 002), [`lever_run`] and [`lever_study`], [`robot`], [`robot_spans`] and [`robot_study`] (real logs), [`courses`] and [`figures`],
 //! [`tables`], [`robot_tables`], [`findings`] and [`report`].
 
 pub mod broken;
@@ -16,6 +16,7 @@ pub mod noise;
 pub mod planar;
 pub mod report;
 pub mod robot;
+pub mod robot_spans;
 pub mod robot_study;
 pub mod robot_tables;
 pub mod settings;
@@ -52,7 +53,7 @@ impl Experiment for GuaranteedInvariantExperiment {
         let losses = planar::losses(context, &scale)?;
         let broken = broken::study(context, scale.runs)?;
         let levers = lever_study::study(context, context.runs_or(20, 1))?;
-        let logs = match robot_study::study(context, self.name(), context.runs_or(10, 1)) {
+        let logs = match robot_study::study(context, self.name(), context.runs_or(5, 1)) {
             Err(ScenarioError::DataMissing { .. }) => Vec::new(),
             logs => logs?,
         };

@@ -1,41 +1,26 @@
 //! Robot logs as Problem 3: increments of a window of time, an unknown wheel scale, and an antenna arm that is added to the reference.
 //!
-//! The logs have no scale of their own, so "the scale" is the least-squares one: `s = sum <U_k, m_k> / sum |U_k|^2` for the displacements
-//! `m_k` of the reference in the body frame. The noises are what is left, `n_k = m_k / s - U_k`, and the bounds are 1.2 times
-//! their worst: by construction the reference with this scale keeps them.
+//! The logs have no scale of their own, so "the scale" `s` is the least-squares one, together with the arm `l` of the reference's marker, which
+//! is 2 cm off the point that the wheels move: `p = x + R(theta) l`. For the displacements `m_k` of the marker in the body frame
+//!
+//! ```text
+//! m_k = s (U_k + n_k) + (e^{i dtheta_k} - 1) l
+//! ```
+//!
+//! is linear in `(s, l)`. The true state is `x = p - R l`, the true arm `l` and what is added to it. The noises are what is left, and the bounds are
+//! 1.2 times their worst: by construction the reference with these constants keeps them.
 
 use scalars::Interval;
 
 use crate::ScenarioError;
 use crate::data::wifibot::Sample;
 use crate::guaranteed_invariant::lever::{Bounds, Constants, Increment, LeverTruth, fix, noise_between, prove};
+use crate::guaranteed_invariant::robot_spans::Span;
 use crate::metrics::wrap_angle;
 use crate::truth::Exact;
 use crate::vehicle::{Pose, TruePose};
-use crate::wifibot::odometry::SAFETY;
-
-/// Which interval the speed and the rate of a sample belong to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SpeedRule {
-    /// The interval that ends with the sample (what the logs mean: see [`crate::wifibot::odometry`]).
-    Ends,
-    /// The interval that begins with it.
-    Begins,
-}
-
-impl SpeedRule {
-    /// Both rules.
-    pub const ALL: [Self; 2] = [Self::Ends, Self::Begins];
-
-    /// The name in the rows.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Ends => "speed of the interval before",
-            Self::Begins => "speed of the interval after",
-        }
-    }
-}
+use crate::wifibot::odometry::{Rule, SAFETY};
+use crate::wifibot::wheels::fit;
 
 /// A log as increments and reference poses.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,34 +29,46 @@ pub struct Log {
     pub number: u32,
     /// Length of a window, s.
     pub window_s: f64,
-    /// Reference poses, headings not wrapped.
+    /// Reference poses of the point that the wheels move, headings not wrapped.
     pub states: Vec<TruePose>,
     /// Measured increments between them.
     pub increments: Vec<Increment>,
     /// The least-squares scale.
     pub scale: f64,
+    /// The arm of the reference's marker, m.
+    pub marker_m: [f64; 2],
 }
 
 impl Log {
     /// Cuts a log into windows; what is left after the last full window is not used.
-    #[must_use]
-    pub fn new(number: u32, samples: &[Sample], rule: SpeedRule, window_s: f64) -> Self {
-        let mut states: Vec<TruePose> = Vec::new();
+    ///
+    /// # Errors
+    /// [`ScenarioError::Setting`] for a log without turns, which does not tell the scale and the marker's arm apart.
+    pub fn new(number: u32, samples: &[Sample], rule: Rule, window_s: f64) -> Result<Self, ScenarioError> {
+        let mut markers: Vec<Pose> = Vec::new();
         let mut increments = Vec::new();
         let mut start = 0;
         for (index, sample) in samples.iter().enumerate() {
-            let due = samples[0].time_s + window_s * states.len() as f64;
+            let due = samples[0].time_s + window_s * markers.len() as f64;
             if sample.time_s >= due {
                 let moved = increment(&samples[start..=index], rule);
-                states.push(state(states.last(), moved.turn_rad, sample));
-                if states.len() > 1 {
+                markers.push(marker(markers.last(), moved.turn_rad, sample));
+                if markers.len() > 1 {
                     increments.push(moved);
                 }
                 start = index;
             }
         }
-        let scale = least_squares_scale(&states, &increments);
-        Self { number, window_s, states, increments, scale }
+        let pairs = markers.windows(2).zip(&increments);
+        let equations = pairs.map(|(pair, increment)| fit::equation(increment.shift_m, &pair[0], &pair[1]));
+        let constants = fit::least_squares(equations).ok_or(ScenarioError::Setting {
+            name: "log",
+            expected: "one with turns",
+            value: number.into(),
+        })?;
+        let [scale, l1, l2] = constants.into();
+        let states = markers.iter().map(|pose| moved_by_wheels(pose, [l1, l2])).collect();
+        Ok(Self { number, window_s, states, increments, scale, marker_m: [l1, l2] })
     }
 
     /// The worst noises of the windows `0..windows`: rad, m, m.
@@ -99,26 +96,29 @@ impl Log {
         steps.map(|(pair, increment)| noise_between(&pair[0], &pair[1], increment, self.scale))
     }
 
-    /// The scales for which the reference keeps the bounds on the displacements: what no filter that is told these bounds can be narrower
-    /// than, even with perfect fixes and headings. None if there is none.
+    /// The scales for which the reference keeps the bounds on the displacements, over windows and spans: what no filter that is told these bounds
+    /// can be narrower than, even with perfect fixes and headings. None if there is none.
     #[must_use]
-    pub fn admissible_scales(&self, bounds: &Bounds) -> Option<[f64; 2]> {
-        // With n = m / s - U: |n| <= b says 1/s in [(U - b) / m, (U + b) / m].
+    pub fn admissible_scales(&self, bounds: &Bounds, spans: &[Span]) -> Option<[f64; 2]> {
         let (mut lo, mut hi) = (0.0_f64, f64::INFINITY);
+        // With n = m / s - u: |n| <= b says 1/s in [(u - b) / m, (u + b) / m].
+        let mut add = |[m, u, b]: [f64; 3]| {
+            if m != 0.0 {
+                let (a, c) = ((u - b) / m, (u + b) / m);
+                (lo, hi) = (lo.max(a.min(c)), hi.min(a.max(c)));
+            }
+        };
         for (noise, increment) in self.noises().zip(&self.increments) {
             for k in 0..2 {
                 let (u, b) = (increment.shift_m[k], bounds.shift_m[k]);
-                let moved = (noise[k + 1].mid() + u) * self.scale;
-                if moved != 0.0 {
-                    let (a, c) = ((u - b) / moved, (u + b) / moved);
-                    (lo, hi) = (lo.max(a.min(c)), hi.min(a.max(c)));
-                }
+                add([(noise[k + 1].mid() + u) * self.scale, u, b]);
             }
         }
+        spans.iter().flat_map(|span| span.chords(self)).flatten().for_each(add);
         (0.0 < lo && lo <= hi).then(|| [1.0 / hi, 1.0 / lo])
     }
 
-    /// The log as a run of Problem 3 with an arm added by the reference heading and noises `draw` on the fixes, one a window.
+    /// The log as a run of Problem 3 with an arm added to the marker's by the reference heading, and noises `draw` on the fixes, one a window.
     ///
     /// With `proven`, every step is proven to keep the bounds; without, the truth is whatever it is.
     ///
@@ -126,11 +126,12 @@ impl Log {
     /// [`ScenarioError::Truth`] if a step or a fix cannot be proven.
     pub fn run(
         &self,
-        arm_m: [f64; 2],
+        added_m: [f64; 2],
         bounds: &Bounds,
         proven: bool,
         mut draw: impl FnMut() -> [f64; 2],
     ) -> Result<LeverTruth, ScenarioError> {
+        let arm_m = [self.marker_m[0] + added_m[0], self.marker_m[1] + added_m[1]];
         let constants = Constants { scale: self.scale, arm_m };
         for (step, (pair, increment)) in self.states.windows(2).zip(&self.increments).enumerate() {
             if proven {
@@ -145,18 +146,24 @@ impl Log {
     }
 }
 
-/// The reference of a sample; of its headings modulo a turn the one nearest to that of the state before and the measured turn.
-fn state(before: Option<&TruePose>, turn_rad: f64, sample: &Sample) -> TruePose {
-    let expected = before.map_or(0.0, |before| before.heading.value() + turn_rad);
-    let heading_rad = expected + wrap_angle(sample.heading_rad - expected);
-    TruePose { heading: Exact::new(heading_rad), ..TruePose::new(Pose { heading_rad, position: sample.position_m }) }
+/// The reference of a sample; of its headings modulo a turn the one nearest to that of the pose before and the measured turn.
+fn marker(before: Option<&Pose>, turn_rad: f64, sample: &Sample) -> Pose {
+    let expected = before.map_or(0.0, |before| before.heading_rad + turn_rad);
+    Pose { heading_rad: expected + wrap_angle(sample.heading_rad - expected), position: sample.position_m }
+}
+
+/// The state whose marker on the arm `l` is at a pose; exact by definition.
+fn moved_by_wheels(marker: &Pose, l: [f64; 2]) -> TruePose {
+    let (sin, cos) = marker.heading_rad.sin_cos();
+    let position = [marker.position[0] - (cos * l[0] - sin * l[1]), marker.position[1] - (sin * l[0] + cos * l[1])];
+    TruePose { heading: Exact::new(marker.heading_rad), ..TruePose::new(Pose { position, ..*marker }) }
 }
 
 /// The motion of the wheels over a window, composed sample by sample.
-fn increment(samples: &[Sample], rule: SpeedRule) -> Increment {
+fn increment(samples: &[Sample], rule: Rule) -> Increment {
     let (mut turn_rad, mut shift_m) = (0.0_f64, [0.0_f64; 2]);
     for pair in samples.windows(2) {
-        let speeds = if rule == SpeedRule::Ends { &pair[1] } else { &pair[0] };
+        let speeds = if rule == Rule::Ends { &pair[1] } else { &pair[0] };
         let period_s = pair[1].time_s - pair[0].time_s;
         let turned = period_s * speeds.gyro_rad_s;
         // The chord of the arc points along the mean heading; its length differs from the arc's by turned^2 / 24, 1e-6 of it here.
@@ -168,52 +175,62 @@ fn increment(samples: &[Sample], rule: SpeedRule) -> Increment {
     Increment { turn_rad, shift_m }
 }
 
-fn least_squares_scale(states: &[TruePose], increments: &[Increment]) -> f64 {
-    let (mut product, mut square) = (0.0, 0.0);
-    for (pair, increment) in states.windows(2).zip(increments) {
-        let moved = noise_between(&pair[0], &pair[1], &Increment { turn_rad: 0.0, shift_m: [0.0; 2] }, 1.0);
-        let [u1, u2] = increment.shift_m;
-        product += u1 * moved[1].mid() + u2 * moved[2].mid();
-        square += u1 * u1 + u2 * u2;
-    }
-    product / square
-}
-
 #[cfg(test)]
 mod tests {
-    use crate::wifibot::odometry::SAFETY;
-
     use super::*;
 
-    /// Samples of a drive at 50 Hz on a circle; the wheels see the speed divided by `scale`, with a slow error.
+    /// The marker of the test's robot, m.
+    const MARKER_M: [f64; 2] = [0.02, -0.01];
+
+    /// Samples of a drive at 50 Hz along an S; the wheels see the speed divided by `scale`, with a slow error.
     fn drive(seconds: usize, scale: f64) -> Vec<Sample> {
-        let sample = |k: usize| {
+        let (mut heading_rad, mut axle) = (0.0_f64, [0.0_f64; 2]);
+        let mut samples = Vec::new();
+        for k in 0..=50 * seconds + 7 {
             let time_s = 0.02 * k as f64;
-            let heading_rad = 0.3 * time_s;
-            let radius_m = 0.5 / 0.3;
-            Sample {
+            let gyro_rad_s = 0.3 * (0.2 * time_s).cos();
+            if k > 0 {
+                let (sin, cos) = (heading_rad + 0.01 * gyro_rad_s).sin_cos();
+                axle = [axle[0] + 0.01 * cos, axle[1] + 0.01 * sin];
+                heading_rad += 0.02 * gyro_rad_s;
+            }
+            let (sin, cos) = heading_rad.sin_cos();
+            let [l1, l2] = MARKER_M;
+            samples.push(Sample {
                 time_s,
-                gyro_rad_s: 0.3,
+                gyro_rad_s,
                 forward_m_s: 0.5 / scale + 0.004 * (0.1 * time_s).sin(),
                 lateral_m_s: 0.0,
                 heading_rad,
-                position_m: [radius_m * heading_rad.sin(), radius_m * (1.0 - heading_rad.cos())],
-            }
-        };
-        (0..=50 * seconds + 7).map(sample).collect()
+                position_m: [axle[0] + cos * l1 - sin * l2, axle[1] + sin * l1 + cos * l2],
+            });
+        }
+        samples
     }
 
+    fn log(window_s: f64) -> Log {
+        Log::new(9, &drive(60, 0.95), Rule::Ends, window_s).unwrap()
+    }
+
+    /// Scale and marker are found; what the marker's arm does is no noise of the wheels.
     #[test]
-    fn the_least_squares_scale_is_found() {
-        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 1.0);
+    fn the_constants_are_found() {
+        let log = log(1.0);
         assert_eq!((log.states.len(), log.increments.len()), (61, 60));
         assert!((log.scale - 0.95).abs() < 4e-3, "{}", log.scale);
+        let [l1, l2] = log.marker_m;
+        assert!((l1 - MARKER_M[0]).abs() < 2e-3 && (l2 - MARKER_M[1]).abs() < 2e-3, "{l1}, {l2}");
+        let [_, along, across] = log.worst(60);
+        assert!(along < 6e-3 && across < 1e-3, "{along}, {across}");
+        let straight: Vec<Sample> =
+            drive(60, 1.0).iter().map(|s| Sample { heading_rad: 0.0, gyro_rad_s: 0.0, ..*s }).collect();
+        assert!(matches!(Log::new(9, &straight, Rule::Ends, 1.0), Err(ScenarioError::Setting { .. })));
     }
 
-    /// A window may turn by more than half a turn.
+    /// Long windows turn as far as they turn.
     #[test]
     fn long_windows_count_their_turns() {
-        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 15.0);
+        let log = log(15.0);
         let [turn, ..] = log.worst(log.increments.len());
         assert!(turn < 1e-9 && log.increments.len() == 4, "{turn}");
     }
@@ -221,9 +238,10 @@ mod tests {
     /// The stated bounds hold by construction; half of them do not.
     #[test]
     fn stated_bounds_are_proven() {
-        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 1.0);
+        let log = log(1.0);
         let truth = log.run([0.5, 0.3], &log.stated_bounds(0.05), true, || [0.05 - 1e-9, 0.0]).unwrap();
         assert_eq!(truth.fixes.len(), 60);
+        assert_eq!(truth.constants.arm_m, [log.marker_m[0] + 0.5, log.marker_m[1] + 0.3]);
         let half = log.bounds(0.5 * SAFETY, 60, 0.05);
         assert!(log.run([0.5, 0.3], &half, true, || [0.0; 2]).is_err());
     }
@@ -231,10 +249,14 @@ mod tests {
     /// The admissible scales hold the least-squares one, and their width is about twice the bound on the speed.
     #[test]
     fn admissible_scales_follow_from_the_bound() {
-        let log = Log::new(9, &drive(60, 0.95), SpeedRule::Ends, 1.0);
+        let log = log(1.0);
         let bounds = Bounds { turn_rad: 1.0, shift_m: [0.01, 0.1], fix_m: 1.0 };
-        let [lo, hi] = log.admissible_scales(&bounds).unwrap();
+        let [lo, hi] = log.admissible_scales(&bounds, &[]).unwrap();
         assert!(lo < log.scale && log.scale < hi);
         assert!(hi - lo < 2.0 * 0.95 * 0.01 / 0.5 && hi - lo > 0.5 * 2.0 * 0.95 * 0.01 / 0.5, "{}", hi - lo);
+        // Ten seconds with the bound of one.
+        let span = Span { chord_m: bounds.shift_m, ..Span::new(&log, 10, SAFETY) };
+        let [lo, hi] = log.admissible_scales(&bounds, &[span]).unwrap();
+        assert!(hi - lo < 2.2 * 0.95 * 0.01 / 5.0, "{}", hi - lo);
     }
 }

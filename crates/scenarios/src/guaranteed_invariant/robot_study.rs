@@ -3,25 +3,29 @@
 use crate::data::wifibot::load;
 use crate::guaranteed_invariant::lever::Bounds;
 use crate::guaranteed_invariant::lever_run::LeverRun;
-use crate::guaranteed_invariant::robot::{Log, SpeedRule};
+use crate::guaranteed_invariant::robot::Log;
+use crate::guaranteed_invariant::robot_spans::Span;
 use crate::noise::{BoundedNoise, NoiseKind};
 use crate::wifibot::LOGS;
-use crate::wifibot::odometry::SAFETY;
+use crate::wifibot::odometry::{Rule, SAFETY};
+use crate::wifibot::wheels::fit::ADDED_LEVER_M;
 use crate::{Context, ScenarioError, monte_carlo};
 
 /// Bounds of the position noises, m.
 pub const FIX_BOUNDS_M: [f64; 2] = [1.0, 0.05];
-/// The arm that is added to the reference, m.
-pub const ARM_M: [f64; 2] = [0.5, 0.3];
-
 /// Lengths of a window, s. Errors grow slower than the way driven, so longer windows have relatively sharper bounds, and fewer fixes.
 pub const WINDOWS_S: [f64; 2] = [1.0, 5.0];
+
+/// Windows of the longest span that is bounded.
+pub const LONGEST_SPAN: usize = 40;
 
 /// Where the bounds on the increments come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// 1.2 times the worst of the whole log: hold by construction.
     WholeLog,
+    /// Those, and likewise of all spans of 2 to [`LONGEST_SPAN`] windows.
+    Spans,
     /// 1.2 times the worst of the first third: what one would do without knowing the rest.
     FirstThird,
     /// Half the worst of the whole log: too small.
@@ -30,23 +34,30 @@ pub enum Source {
 
 impl Source {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::WholeLog, Self::FirstThird, Self::Halved];
+    pub const ALL: [Self; 4] = [Self::WholeLog, Self::Spans, Self::FirstThird, Self::Halved];
 
     /// The name in the rows.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::WholeLog => "stated bounds",
+            Self::Spans => "stated bounds of windows and spans",
             Self::FirstThird => "bounds of the first third",
             Self::Halved => "half the worst",
         }
+    }
+
+    /// Whether the bounds hold by construction.
+    #[must_use]
+    pub fn holds(self) -> bool {
+        matches!(self, Self::WholeLog | Self::Spans)
     }
 
     /// The bounds.
     #[must_use]
     pub fn bounds(self, log: &Log, fix_m: f64) -> Bounds {
         match self {
-            Self::WholeLog => log.stated_bounds(fix_m),
+            Self::WholeLog | Self::Spans => log.stated_bounds(fix_m),
             Self::FirstThird => log.bounds(SAFETY, log.increments.len() / 3, fix_m),
             Self::Halved => log.bounds(0.5, log.increments.len(), fix_m),
         }
@@ -60,6 +71,8 @@ pub struct RobotCell {
     pub source: Source,
     /// The bounds.
     pub bounds: Bounds,
+    /// Those over several windows.
+    pub spans: Vec<Span>,
     /// Scales for which the reference keeps the bounds.
     pub admissible: Option<[f64; 2]>,
     /// Run by run.
@@ -72,7 +85,7 @@ pub struct RobotLog {
     /// The log.
     pub log: Log,
     /// The rule of its speeds.
-    pub rule: SpeedRule,
+    pub rule: Rule,
     /// The cells.
     pub cells: Vec<RobotCell>,
 }
@@ -85,10 +98,10 @@ pub fn study(context: &Context<'_>, experiment: &'static str, runs: usize) -> Re
     let mut logs = Vec::new();
     for number in LOGS {
         let samples = load(context.data, experiment, number)?;
-        for rule in SpeedRule::ALL {
+        for rule in Rule::ALL {
             for window_s in WINDOWS_S {
-                let log = Log::new(number, &samples, rule, window_s);
-                let cells = wanted(context.quick, rule, window_s)
+                let log = Log::new(number, &samples, rule, window_s)?;
+                let cells = wanted(context.quick, &log, rule)
                     .map(|(source, fix_m)| cell(context, &log, source, fix_m, runs))
                     .collect::<Result<Vec<_>, _>>()?;
                 logs.push(RobotLog { log, rule, cells });
@@ -98,23 +111,35 @@ pub fn study(context: &Context<'_>, experiment: &'static str, runs: usize) -> Re
     Ok(logs)
 }
 
-/// What is run on a log: all sources of bounds on windows of a second by the right rule, the stated bounds otherwise; in quick mode the
-/// stated bounds with sharp fixes by the right rule only.
-fn wanted(quick: bool, rule: SpeedRule, window_s: f64) -> impl Iterator<Item = (Source, f64)> {
-    let ends = rule == SpeedRule::Ends;
-    let every = !quick && ends && window_s == WINDOWS_S[0];
-    let sources = Source::ALL.into_iter().filter(move |&source| every || source == Source::WholeLog);
-    let all = sources.flat_map(|source| FIX_BOUNDS_M.map(|fix_m| (source, fix_m)));
-    all.filter(move |&(_, fix_m)| !quick || (ends && fix_m == FIX_BOUNDS_M[1]))
+/// What is run on a log. In full: on windows of a second all sources of bounds by the right rule, those that hold by the other; on longer
+/// windows those of windows. In quick mode: windows with sharp fixes by the right rule, and the spans of log 3.
+fn wanted(quick: bool, log: &Log, rule: Rule) -> impl Iterator<Item = (Source, f64)> + use<> {
+    let (ends, short, third) = (rule == Rule::Ends, log.window_s == WINDOWS_S[0], log.number == LOGS[1]);
+    let wanted = move |source: Source, fix_m: f64| {
+        if quick {
+            let of_windows = source == Source::WholeLog && !short;
+            let of_spans = source == Source::Spans && short && third;
+            return ends && fix_m == FIX_BOUNDS_M[1] && (of_windows || of_spans);
+        }
+        match source {
+            Source::WholeLog => true,
+            Source::Spans => short,
+            Source::FirstThird | Source::Halved => short && ends,
+        }
+    };
+    let all = Source::ALL.into_iter().flat_map(|source| FIX_BOUNDS_M.map(|fix_m| (source, fix_m)));
+    all.filter(move |&(source, fix_m)| wanted(source, fix_m))
 }
 
 fn cell(context: &Context<'_>, log: &Log, source: Source, fix_m: f64, runs: usize) -> Result<RobotCell, ScenarioError> {
     let bounds = source.bounds(log, fix_m);
+    let longest = if source == Source::Spans { LONGEST_SPAN.min(log.increments.len()) } else { 0 };
+    let spans: Vec<Span> = (2..=longest).map(|windows| Span::new(log, windows, SAFETY)).collect();
     let name = format!("guaranteed-invariant, log {}, {} s", log.number, log.window_s);
     let runs = monte_carlo::run(context, &name, runs, |_, rng| {
         let mut noise = BoundedNoise::new(NoiseKind::Uniform, [fix_m; 2]);
-        let truth = log.run(ARM_M, &bounds, source == Source::WholeLog, || noise.draw(rng))?;
-        LeverRun::new(&truth, &bounds)
+        let truth = log.run(ADDED_LEVER_M, &bounds, source.holds(), || noise.draw(rng))?;
+        LeverRun::with_spans(&truth, &bounds, &spans)
     })?;
-    Ok(RobotCell { source, bounds, admissible: log.admissible_scales(&bounds), runs })
+    Ok(RobotCell { source, admissible: log.admissible_scales(&bounds, &spans), bounds, spans, runs })
 }

@@ -2,7 +2,7 @@
 
 use crate::guaranteed_invariant::lever_run::{LeverRun, LeverStep};
 use crate::guaranteed_invariant::planar::STRIPS;
-use crate::guaranteed_invariant::robot_study::{RobotCell, RobotLog, Source};
+use crate::guaranteed_invariant::robot_study::{RobotCell, RobotLog};
 use crate::guaranteed_invariant::tables::containment_of;
 use crate::results::Status;
 use crate::{Mode, Row};
@@ -15,11 +15,19 @@ pub const WIDTHS: &str = "robot, widths";
 /// Seconds at which the widths are looked at; the last second of a log is added.
 const LOOKED_AT_S: [usize; 3] = [10, 30, 60];
 
+/// Windows of the spans whose bounds are shown.
+const SHOWN_SPANS: [usize; 3] = [5, 10, 40];
+
 /// All rows.
 #[must_use]
 pub fn rows(logs: &[RobotLog]) -> Vec<Row> {
     logs.iter()
-        .flat_map(|log| log_rows(log).into_iter().chain(log.cells.iter().flat_map(|cell| cell_rows(log, cell))))
+        .flat_map(|log| {
+            log_rows(log)
+                .into_iter()
+                .chain(span_rows(log))
+                .chain(log.cells.iter().flat_map(|cell| cell_rows(log, cell)))
+        })
         .collect()
 }
 
@@ -38,7 +46,25 @@ fn log_rows(log: &RobotLog) -> Vec<Row> {
         row("bound(U1)", "m").value(bounds.shift_m[0]),
         row("bound(U2)", "m").value(bounds.shift_m[1]),
         row("windows", "").value(log.log.increments.len() as f64),
+        row("marker arm 1", "m").value(log.log.marker_m[0]),
+        row("marker arm 2", "m").value(log.log.marker_m[1]),
     ]
+}
+
+/// The bounds of some spans.
+fn span_rows(log: &RobotLog) -> Vec<Row> {
+    let spans = log.cells.iter().find(|cell| !cell.spans.is_empty()).map_or(&[][..], |cell| &cell.spans);
+    let shown = spans.iter().filter(|span| SHOWN_SPANS.contains(&span.windows));
+    shown
+        .flat_map(|span| {
+            let over = format!("over {} s", span.windows as f64 * log.log.window_s);
+            let row = |of: &str, unit: &str, bound: f64| {
+                Row::new(LOGS, log_label(log), "odometry").metric(format!("bound({of}) {over}"), unit).value(bound)
+            };
+            let [along, across] = span.chord_m;
+            [row("theta", "rad", span.turn_rad), row("chord along", "m", along), row("chord across", "m", across)]
+        })
+        .collect()
 }
 
 fn cell_rows(log: &RobotLog, cell: &RobotCell) -> Vec<Row> {
@@ -84,7 +110,7 @@ fn verdict_rows(window_s: f64, cell: &RobotCell, row: &dyn Fn(String, &str) -> R
         .into_iter()
         .map(|(metric, unit, value)| row(metric.to_owned(), unit).value(value))
         .collect();
-    if cell.source != Source::WholeLog {
+    if !cell.source.holds() {
         let seconds = |of: fn(&LeverRun) -> Option<usize>| -> Vec<f64> {
             cell.runs.iter().filter_map(of).map(|window| window as f64 * window_s).collect()
         };

@@ -31,6 +31,29 @@ pub enum Rule {
     Begins,
 }
 
+impl Rule {
+    /// Both rules.
+    pub const ALL: [Self; 2] = [Self::Ends, Self::Begins];
+
+    /// The name in the rows.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ends => "speed of the interval before",
+            Self::Begins => "speed of the interval after",
+        }
+    }
+
+    /// Of two samples in turn, the one whose speed and rate belong to the interval between them.
+    #[must_use]
+    pub fn read<'a>(self, before: &'a Sample, after: &'a Sample) -> &'a Sample {
+        match self {
+            Self::Ends => after,
+            Self::Begins => before,
+        }
+    }
+}
+
 /// One window of a log.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
@@ -110,7 +133,7 @@ impl Window {
         for pair in samples.windows(2) {
             let (previous, sample) = (&pair[0], &pair[1]);
             let period_s = sample.time_s - previous.time_s;
-            let read = if rule == Rule::Ends { sample } else { previous };
+            let read = rule.read(previous, sample);
             let small = period_s * Vector3::new(read.gyro_rad_s, read.forward_m_s, read.lateral_m_s);
             motion = motion.compose(&SE2::exp(&small));
             turn += small[0];

@@ -31,12 +31,7 @@ impl Fit {
     /// # Errors
     /// [`ScenarioError::Setting`] for a course without turns, which says nothing of the lever arm.
     pub fn new(course: &Course) -> Result<Self, ScenarioError> {
-        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-        for (rows, moved) in equations(course) {
-            normal += rows.transpose() * rows;
-            right += rows.transpose() * moved;
-        }
-        let fit = normal.cholesky().map(|factor| factor.solve(&right)).ok_or(ScenarioError::Setting {
+        let fit = least_squares(equations(course)).ok_or(ScenarioError::Setting {
             name: "course",
             expected: "one with turns",
             value: f64::from(course.number),
@@ -100,13 +95,32 @@ pub fn increment(window: &Window) -> WheelStep {
 }
 
 /// The equations of the fit, window by window.
-fn equations(course: &Course) -> impl Iterator<Item = (Matrix2x3<f64>, Vector2<f64>)> {
+fn equations(course: &Course) -> impl Iterator<Item = Equation> {
     let starts = std::iter::once(&course.start).chain(course.windows.iter().map(|window| &window.end));
     starts.zip(&course.windows).map(|(start, window)| {
-        let moved: SE2<f64> = element(start).inverse().compose(&element(&window.end));
-        let swing = moved.act_linear() - Matrix2::identity();
         let [_, d1, d2] = window.motion;
-        let rows = Matrix2x3::new(d1, swing[(0, 0)], swing[(0, 1)], d2, swing[(1, 0)], swing[(1, 1)]);
-        (rows, moved.translation())
+        equation([d1, d2], start, &window.end)
     })
+}
+
+/// Coefficients of `(s, l)` and what they amount to.
+pub type Equation = (Matrix2x3<f64>, Vector2<f64>);
+
+/// `s d + (R - I) l` is the displacement of the reference point from one pose to another.
+#[must_use]
+pub fn equation(d: [f64; 2], from: &Pose, to: &Pose) -> Equation {
+    let moved: SE2<f64> = element(from).inverse().compose(&element(to));
+    let swing = moved.act_linear() - Matrix2::identity();
+    let rows = Matrix2x3::new(d[0], swing[(0, 0)], swing[(0, 1)], d[1], swing[(1, 0)], swing[(1, 1)]);
+    (rows, moved.translation())
+}
+
+/// The `(s, l)` of least squares; none if the equations do not tell them apart.
+pub fn least_squares(equations: impl Iterator<Item = Equation>) -> Option<Vector3<f64>> {
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for (rows, moved) in equations {
+        normal += rows.transpose() * rows;
+        right += rows.transpose() * moved;
+    }
+    normal.cholesky().map(|factor| factor.solve(&right))
 }

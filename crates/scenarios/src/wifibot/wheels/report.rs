@@ -20,15 +20,8 @@ pub fn table(number: u32) -> String {
     format!("log {number}, unknown wheels and antenna")
 }
 
-fn rule(case: &Case) -> &'static str {
-    match case.rule {
-        Rule::Ends => "speeds of the interval that ends",
-        Rule::Begins => "speeds of the interval that begins",
-    }
-}
-
 fn label(case: &Case) -> String {
-    format!("fixes {} m, {}", case.fix_m, rule(case))
+    format!("fixes {} m, {}", case.fix_m, case.rule.name())
 }
 
 /// The rows of a log.
@@ -42,7 +35,7 @@ pub fn rows(study: &Study) -> Vec<Row> {
             [("rest(turn)", "rad"), ("rest(along)", "m"), ("rest(across)", "m")].into_iter().zip(case.fit.residuals);
         let values = values.into_iter().chain(rests.map(|((name, unit), value)| (name, unit, value)));
         rows.extend(values.map(|(metric, unit, value)| {
-            Row::new(FITS, format!("log {}, {}", study.number, rule(case)), "least-squares")
+            Row::new(FITS, format!("log {}, {}", study.number, case.rule.name()), "least-squares")
                 .metric(metric, unit)
                 .value(value)
         }));

@@ -60,7 +60,7 @@ impl Study {
     /// Those of course, fit and filters.
     pub fn new(context: &Context<'_>, number: u32, lines: &[Line], runs: usize) -> Result<Self, ScenarioError> {
         let mut cases = Vec::new();
-        for rule in [Rule::Ends, Rule::Begins] {
+        for rule in Rule::ALL {
             let course = Course::read(number, lines, rule)?;
             let fit = Fit::new(&course)?;
             for fix_m in FIXES_M {

@@ -1,0 +1,133 @@
+//! The way of one vector of the world: what is known of it, and what its noise can add to a row.
+//!
+//! With `e^{i theta_hat} M = S+ - S` the known way, `E = e^{i alpha} - 1`, the forms of [`PlanarIncrement`] move `q = x - S z` by
+//!
+//! ```text
+//! additive, exponential   q+ = q - E S+ z + e^{i theta_hat} z m
+//! chord                   q+ = q - E (S + S+) / 2 z - (S+ - S) r z + e^{i (theta_hat + alpha/2)} z m,   |r| <= alpha^2 / 8
+//! ```
+//!
+//! The second because `e^{i alpha/2} = 1 + E/2 - r` with `r = (e^{i alpha/2} - 1)^2 / 2`, so that
+//! `(S+ - S) e^{i alpha/2} + S - S+ e^{i alpha} = -E (S + S+) / 2 - (S+ - S) r`. So the lever of the turns is the end of the path for the one, its
+//! middle for the other.
+
+use scalars::Interval;
+use scalars::rounding::{add_up, mul_up};
+
+use super::increment::{BodyShift, Form, PlanarIncrement};
+use super::plane::{Region, Vector, difference, inner, largest_modulus, middle, point, product, radius, sum, unit};
+use super::sweep::Sweep;
+
+/// The motion of one vector in body coordinates.
+pub(super) struct Way {
+    form: Form,
+    /// `M`.
+    pub(super) moved: Region,
+    /// Radius of a disc of what is left out of it.
+    pub(super) lost: f64,
+    /// Two corners of the noise, the others opposite to them.
+    corners: [Vector; 2],
+    /// Upper bound of the noise.
+    pub(super) extent: f64,
+    /// `e^{i phase}` turns the corners, apart from the heading.
+    phase: Interval,
+}
+
+/// What a motion adds to the rows by the noise of one vector.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Drift {
+    /// The place on the path that the turns move.
+    pub(super) lever: Vector,
+    pub(super) noise: Sweep,
+    /// Radius of a disc that is added, rounding included.
+    pub(super) disc: f64,
+}
+
+impl Drift {
+    /// For a path from `from` to `to`, which is off by `missed`, headings at its start, and turns by noise of up to `most`.
+    pub(super) fn new(way: &Way, [from, to]: [Vector; 2], missed: f64, headings: Interval, most: f64) -> Self {
+        let (lever, bow) = match way.form {
+            Form::Additive | Form::Exponential => (to, 0.0),
+            Form::Chord => {
+                let length = largest_modulus(&difference(&point(to), &point(from)));
+                let mean = [0, 1].map(|k| 0.5 * from[k] + 0.5 * to[k]);
+                (mean, mul_up(length, mul_up(0.125, mul_up(most, most))))
+            }
+        };
+        let noise = Sweep::new(headings + way.phase, &way.corners);
+        Self { lever, noise, disc: add_up(add_up(way.lost, missed), bow) }
+    }
+}
+
+impl PlanarIncrement {
+    /// How vector `j` is moved; `slip` is the turn without its noise less that of the reference.
+    pub(super) fn way(&self, j: usize, slip: Interval) -> Way {
+        let BodyShift { shift, noise } = self.of_vector(j);
+        // The middle of the noise is a part of the shift.
+        let center = point(middle(noise));
+        let radii = [noise[0].rad(), noise[1].rad()];
+        let corners = [radii, [radii[0], -radii[1]]];
+        let extent = largest_modulus(&point(radii));
+        let way = Way { form: self.form, moved: *shift, lost: 0.0, corners, extent, phase: Interval::ZERO };
+        match self.form {
+            Form::Additive => Way { moved: sum(shift, &center), ..way },
+            // Of V(i alpha) - 1 at most |alpha| / 2 is left.
+            Form::Exponential => Way {
+                moved: sum(shift, &product(&unit(self.turn), &center)),
+                lost: mul_up(0.5 * self.turn_noise.mag(), largest_modulus(&center)),
+                phase: self.turn + self.turn_noise.scale(0.5),
+                ..way
+            },
+            // The turn relative to the reference is that by the noise and the slip.
+            Form::Chord => {
+                let axis = direction(shift);
+                let corners = corners.map(|corner| product(&axis, &point(corner)));
+                Way {
+                    moved: product(&unit(slip.scale(-0.5)), &sum(shift, &product(&axis, &center))),
+                    lost: corners.iter().map(radius).fold(0.0, f64::max),
+                    corners: corners.map(|corner| middle(&corner)),
+                    phase: self.turn_noise.scale(0.5),
+                    ..way
+                }
+            }
+        }
+    }
+
+    /// How far the noise turns the known way, if it turns by up to `most` in all.
+    pub(super) fn chord_turn(&self, most: f64) -> f64 {
+        if self.form == Form::Chord { 0.5 * most } else { 0.0 }
+    }
+}
+
+/// Encloses `u / |u|`, 1 for `u = 0`.
+fn direction(u: &Region) -> Region {
+    if *u == [Interval::ZERO; 2] {
+        return [Interval::ONE, Interval::ZERO];
+    }
+    let unit = Interval::new(-1.0, 1.0).unwrap_or(Interval::ENTIRE);
+    let length = inner(u, u).sqrt();
+    if length.lo() > 0.0 { u.map(|side| (side / length).intersection(unit)) } else { [unit; 2] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `u / |u|` is enclosed, for points to rounding.
+    #[test]
+    fn directions_are_enclosed() {
+        for (a, b) in [(3.0, 4.0), (-1e-150, 1e-150), (0.0, -2.0), (1e-300, 0.0)] {
+            let [x, y] = direction(&point([a, b]));
+            let angle = f64::atan2(b, a);
+            assert!(
+                x.inflate(1e-15).contains(angle.cos()) && y.inflate(1e-15).contains(angle.sin()),
+                "{a} {b}: {x} {y}"
+            );
+        }
+        let [x, y] = direction(&point([3.0, 4.0]));
+        assert!(x.width() < 1e-15 && y.width() < 1e-15);
+        let around = Interval::new(-1.0, 2.0).unwrap();
+        assert_eq!(direction(&[around, around]).map(|side| (side.lo(), side.hi())), [(-1.0, 1.0); 2]);
+        assert_eq!(direction(&[Interval::ZERO; 2]), [Interval::ONE, Interval::ZERO]);
+    }
+}
