@@ -202,9 +202,14 @@ fn scaled_range<T: Real>(range: &Range, margin: f64) -> (T, T) {
 }
 
 /// `target += factor * row`.
+///
+/// By index: zipped iterators are generic functions of their own, which are calls where units of code are compiled apart.
+#[inline(always)]
 fn add_multiple<T: Real>(factor: T, row: &[T], target: &mut [T]) {
-    for (t, a) in target.iter_mut().zip(row) {
-        *t += factor * *a;
+    let len = target.len().min(row.len());
+    let (row, target) = (&row[..len], &mut target[..len]);
+    for k in 0..len {
+        target[k] += factor * row[k];
     }
 }
 

@@ -6,7 +6,7 @@ use scalars::Interval;
 use setrep::{ConstrainedZonotope, Contradiction, RowContradiction};
 
 use crate::set_filter::Stacked;
-use crate::{Guarantee, System};
+use crate::{Case, Guarantee, System};
 
 /// What takes part in a contradiction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -77,6 +77,13 @@ pub enum Evidence {
         /// Rows and multipliers.
         proof: Box<RowContradiction>,
     },
+    /// A quantity lies in `cover`, and in none of the intervals of the cases, which leave nothing of it.
+    Cases {
+        /// Where the quantity is: a heading in rad.
+        cover: Interval,
+        /// What excludes it part by part.
+        cases: Vec<Case>,
+    },
     /// Multipliers of the constraints of a set that prove it empty; [`Contradiction::verify`] checks them again.
     Rows {
         /// The set that is empty: the prediction with the rows of the update.
@@ -84,6 +91,42 @@ pub enum Evidence {
         /// The multipliers.
         certificate: Contradiction,
     },
+}
+
+impl Evidence {
+    /// [`Inconsistency::margin`]; of cases the least.
+    pub(crate) fn margin(&self) -> f64 {
+        match self {
+            Self::Disjoint { predicted, required } => {
+                if predicted.is_empty() || required.is_empty() {
+                    return 0.0;
+                }
+                (required.lo() - predicted.hi()).max(predicted.lo() - required.hi())
+            }
+            Self::Propagation { .. } | Self::Values { .. } => 0.0,
+            Self::HalfSpaces { proof } => proof.miss(),
+            Self::Cases { cases, .. } => {
+                let least = cases.iter().map(|case| case.evidence.margin()).fold(f64::INFINITY, f64::min);
+                if cases.is_empty() { 0.0 } else { least }
+            }
+            Self::Rows { set, certificate } => certificate.miss(set),
+        }
+    }
+
+    /// Whether it is a proof, from the data it carries alone.
+    pub(crate) fn verify(&self) -> bool {
+        match self {
+            Self::Disjoint { predicted, required } => {
+                !predicted.is_empty() && !required.is_empty() && predicted.disjoint(required)
+            }
+            Self::Propagation { .. } | Self::Values { .. } => false,
+            Self::HalfSpaces { proof } => proof.verify(),
+            Self::Cases { cover, cases } => {
+                Case::leave_nothing(cover, cases) && cases.iter().all(|case| case.evidence.verify())
+            }
+            Self::Rows { set, certificate } => certificate.verify(set),
+        }
+    }
 }
 
 /// A proven contradiction. The filter that reports it keeps its predicted set.
@@ -106,17 +149,7 @@ impl Inconsistency {
     /// 1-norm 1. Positive for these proofs; 0 where propagation found it, which measures nothing.
     #[must_use]
     pub fn margin(&self) -> f64 {
-        match &self.evidence {
-            Evidence::Disjoint { predicted, required } => {
-                if predicted.is_empty() || required.is_empty() {
-                    return 0.0;
-                }
-                (required.lo() - predicted.hi()).max(predicted.lo() - required.hi())
-            }
-            Evidence::Propagation { .. } | Evidence::Values { .. } => 0.0,
-            Evidence::HalfSpaces { proof } => proof.miss(),
-            Evidence::Rows { set, certificate } => certificate.miss(set),
-        }
+        self.evidence.margin()
     }
 
     /// Checks the proof again, from the data it carries; false for [`Evidence::Propagation`], for [`Evidence::Values`], which needs the
@@ -125,17 +158,7 @@ impl Inconsistency {
     /// **Guarantee:** true only for a proof.
     #[must_use]
     pub fn verify(&self) -> bool {
-        if self.guarantee != Guarantee::Rigorous {
-            return false;
-        }
-        match &self.evidence {
-            Evidence::Disjoint { predicted, required } => {
-                !predicted.is_empty() && !required.is_empty() && predicted.disjoint(required)
-            }
-            Evidence::Propagation { .. } | Evidence::Values { .. } => false,
-            Evidence::HalfSpaces { proof } => proof.verify(),
-            Evidence::Rows { set, certificate } => certificate.verify(set),
-        }
+        self.guarantee == Guarantee::Rigorous && self.evidence.verify()
     }
 
     /// As [`verify`](Self::verify), and for [`Evidence::Values`] by propagation and evaluation over its box again, with the functions and noises

@@ -52,6 +52,7 @@
 //! # Ok::<(), estimators::EstimatorError>(())
 //! ```
 
+mod case_proof;
 mod constrained;
 mod error;
 mod error_set;
@@ -71,6 +72,7 @@ mod system;
 mod zonotopic;
 mod zsmf;
 
+pub use case_proof::Case;
 pub use constrained::{
     ConstrainedMethod, Curvature, CzFilter, CzOptions, Extension, Inclusion, ReduceAfter, ReductionPolicy,
 };

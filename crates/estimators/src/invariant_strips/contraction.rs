@@ -18,21 +18,17 @@ const WIDE: f64 = 1.2;
 impl InvariantStrips {
     /// The arc, again while it shrinks a good deal (which it does in the first updates only), and everything else once.
     pub(super) fn contract(&mut self) -> Result<(), EstimatorError> {
-        self.push_derived()?;
-        // Pieces do better than caps: one pass of these finds most contradictions.
-        let passes = if self.is_worth_cutting() { 1 } else { PASSES };
-        for pass in 1..=passes {
-            let before = self.arc.width();
-            self.contract_arc()?;
-            if self.arc.width() > (1.0 - WORTHWHILE) * before || pass == passes {
-                break;
-            }
-            self.drop_derived();
-            self.push_derived()?;
+        self.union.left.clear();
+        if self.is_worth_cutting() {
+            self.contract_by_pieces()?;
+        } else {
+            self.contract_whole()?;
         }
-        self.contract_by_pieces()?;
+        let cut = !self.union.left.is_empty();
         self.suspects.clear();
-        self.contract_scale()?;
+        if !cut {
+            self.contract_scale()?;
+        }
         self.axis = middle(&unit(Interval::point(self.arc.middle())));
         for l in 0..self.enclosure.body.len() {
             self.suspects.clear();
@@ -40,9 +36,26 @@ impl InvariantStrips {
         }
         for j in 0..self.enclosure.fixed.len() {
             self.suspects.clear();
-            self.contract_vector(j)?;
+            if !cut {
+                self.contract_vector(j)?;
+            }
         }
         self.enclosure.heading_rad = self.heading();
+        Ok(())
+    }
+
+    /// The arc in one piece; its rows stay.
+    fn contract_whole(&mut self) -> Result<(), EstimatorError> {
+        self.push_derived()?;
+        for pass in 1..=PASSES {
+            let before = self.arc.width();
+            self.contract_arc()?;
+            if self.arc.width() > (1.0 - WORTHWHILE) * before || pass == PASSES {
+                break;
+            }
+            self.drop_derived();
+            self.push_derived()?;
+        }
         Ok(())
     }
 
@@ -101,7 +114,8 @@ impl InvariantStrips {
                 Ok(())
             }
             None => {
-                Err(self.contradiction(Evidence::Propagation { hull: self.enclosure.fixed.as_flattened().to_vec() }))
+                let evidence = self.evidence_of_caps()?;
+                Err(self.contradiction(evidence))
             }
         }
     }
@@ -250,16 +264,13 @@ impl InvariantStrips {
     }
 
     /// The error of the last bound: a proof that the rows contradict each other, or two bounds that cross.
-    fn empty(&self) -> EstimatorError {
+    pub(super) fn empty(&self) -> EstimatorError {
         match self.rows.contradiction().filter(|_| self.emptied) {
             Some(proof) => {
                 let culprits = proof.rows().iter().map(|&i| self.culprit(i)).collect();
                 self.inconsistent(culprits, Evidence::HalfSpaces { proof: Box::new(proof.clone()) })
             }
-            None => {
-                let hull = self.enclosure.fixed.as_flattened().to_vec();
-                self.contradiction(Evidence::Propagation { hull })
-            }
+            None => self.contradiction(self.unproven()),
         }
     }
 }

@@ -3,8 +3,13 @@
 use scalars::Interval;
 
 use super::InvariantStrips;
+use super::arc::TURN;
+use super::plane::unit;
 use super::tags::Origin;
-use crate::{Culprit, EstimatorError, Evidence, Guarantee, Inconsistency};
+use crate::{Case, Culprit, EstimatorError, Evidence, Guarantee, Inconsistency};
+
+/// By how much caps are made smaller for their proofs: the contradiction of a whole cap is one of equality.
+const INSIDE: f64 = 1e-9;
 
 impl InvariantStrips {
     /// What a row stands for.
@@ -30,6 +35,40 @@ impl InvariantStrips {
         let mut culprits: Vec<Culprit> = rows.map(|&i| self.culprit(i)).collect();
         culprits.push(Culprit::Prediction);
         self.inconsistent(culprits, evidence)
+    }
+
+    /// Bounds have crossed without a proof that could be kept.
+    pub(super) fn unproven(&self) -> Evidence {
+        Evidence::Propagation { hull: self.enclosure.fixed.as_flattened().to_vec() }
+    }
+
+    /// The caps as cases: a heading within `r` of `psi` has `<z, e^{i psi}> >= s cos r`, which contradicts the rows.
+    pub(super) fn evidence_of_caps(&mut self) -> Result<Evidence, EstimatorError> {
+        let (cover, scale, rows) = (self.arc.angles(), self.enclosure.scale, self.rows.len());
+        let mut cases = Vec::new();
+        for k in 0..self.caps.len() {
+            let cap = self.caps[k];
+            let reach = cap.reach - INSIDE;
+            if reach <= INSIDE {
+                continue;
+            }
+            let cosine = Interval::point(reach).sin_cos().1.lo();
+            let least = Interval::point(cosine).scale(if cosine < 0.0 { scale.hi() } else { scale.lo() });
+            self.push_heading_row(unit(Interval::point(cap.center)).map(|t| -t), -least.lo())?;
+            self.bound()?;
+            if let Some(proof) = self.rows.contradiction().filter(|_| self.emptied) {
+                for turns in [-1.0, 0.0, 1.0] {
+                    // The rounding of two angles of at most some turns is far below the rest of INSIDE.
+                    let part = Interval::point(cap.center + turns * TURN).inflate(reach - 0.5 * INSIDE);
+                    if !part.disjoint(&cover) {
+                        cases.push(Case { part, evidence: Evidence::HalfSpaces { proof: Box::new(proof.clone()) } });
+                    }
+                }
+            }
+            self.keep(rows);
+        }
+        let evidence = Evidence::Cases { cover, cases };
+        Ok(if evidence.verify() { evidence } else { self.unproven() })
     }
 
     /// The error with these culprits, in order.

@@ -68,7 +68,7 @@ impl InvariantStrips {
     }
 
     /// Appends `<d, z> <= limit` for a direction known to rounding.
-    fn push_heading_row(&mut self, d: Region, limit: f64) -> Result<(), EstimatorError> {
+    pub(super) fn push_heading_row(&mut self, d: Region, limit: f64) -> Result<(), EstimatorError> {
         self.normal.fill(0.0);
         self.normal[..2].copy_from_slice(&middle(&d));
         self.push_row(add_up(limit, mul_up(radius(&d), self.enclosure.scale.hi())), self.derived_tag())

@@ -62,9 +62,11 @@ const REFRESH_WIDTH: f64 = 2.0;
 /// **Guarantee:** [`Guarantee::Rigorous`]: if the state lies in the prior and all noises in their ranges, it lies in every set, rounding
 /// included. A contradiction is proven and names the measurements that take part, this step's as [`Culprit::Measurement`] and
 /// older ones as [`Culprit::Earlier`]; entry `2 m + k` is number `k` of measurement `m`. The set is then the predicted one. Its evidence
-/// are rows with multipliers or two disjoint bounds, which can be checked again; where every part of the circle of headings is excluded by programs of
-/// its own, it is [`Evidence::Propagation`](crate::Evidence::Propagation), which only the filter run again shows.
+/// are rows with multipliers, two disjoint bounds, or such for each part of the circle of headings ([`Evidence::Cases`]), and can be
+/// checked again; only bounds that cross by less than a proof can show are [`Evidence::Propagation`].
 ///
+/// [`Evidence::Cases`]: crate::Evidence::Cases
+/// [`Evidence::Propagation`]: crate::Evidence::Propagation
 /// [`Culprit::Measurement`]: crate::Culprit::Measurement
 /// [`Culprit::Earlier`]: crate::Culprit::Earlier
 ///

@@ -11,7 +11,7 @@ pub struct StripsOptions {
     /// Instants for which the rows of a measurement are kept.
     pub memory: usize,
     /// Longest bucket: of the rows of one class from one bucket of instants the one with the least slack is kept (and those in use). A
-    /// bucket at instant `k` has `k / 8` instants, at least 2 and at most this many; 0 keeps all rows.
+    /// bucket at instant `k` has `k / 8` instants, at least 2 and at most this many; 0 keeps all rows that were in use lately.
     pub bucket: usize,
     /// Every so many instants the bounds of the position become rows of their own; 0 for never.
     pub refresh: usize,
@@ -39,7 +39,7 @@ impl StripsOptions {
         Self { refresh: 0, ..Self::pose() }
     }
 
-    /// For scale and lever arms, measured at a low rate: up to 760 rows.
+    /// For scale and lever arms, measured at a low rate: some 200 rows, more while the heading is wide.
     #[must_use]
     pub const fn calibration() -> Self {
         Self { memory: 40, bucket: 0, refresh: 1, aligned: true, support_life: 30, caps: 48, spans: 0 }

@@ -10,11 +10,11 @@ use scalars::rounding::{add_up, div_up, sub_down, sub_up};
 use super::InvariantStrips;
 use super::arc::{Arc, hull_of_pieces};
 use super::plane::{Region, middle, unit};
-use crate::{Culprit, EstimatorError, Evidence};
+use crate::{Case, Culprit, EstimatorError, Evidence};
 
 /// Widest arc that is not cut, and the widest piece.
 const UNCUT: f64 = 0.15;
-const PIECE: f64 = 0.1;
+const PIECE: f64 = 0.03;
 
 /// Most pieces of a round.
 const MOST: f64 = 16.0;
@@ -36,6 +36,8 @@ pub(super) struct Union {
     fixed: Vec<Region>,
     /// Rows that take part in the proofs of the others.
     blamed: Vec<usize>,
+    /// Two bounds of one quantity that cross on the last piece.
+    crossed: Option<[Interval; 2]>,
     /// Functionals, one after another, and their bounds.
     pub(super) asked: Vec<f64>,
     pub(super) bounds: Vec<f64>,
@@ -49,7 +51,6 @@ impl InvariantStrips {
 
     /// Contracts arc, scale, arms and positions piece by piece, again while it shrinks the arc a good deal.
     pub(super) fn contract_by_pieces(&mut self) -> Result<(), EstimatorError> {
-        self.union.left.clear();
         for _ in 0..ROUNDS {
             if !self.is_worth_cutting() {
                 break;
@@ -67,15 +68,11 @@ impl InvariantStrips {
     fn cut(&mut self) -> Result<(), EstimatorError> {
         self.suspects.clear();
         self.drop_derived();
-        let (whole, rows) = (self.arc, self.rows.len());
-        let count = (whole.width() / PIECE).ceil().clamp(1.0, MOST);
-        let share = whole.width() / count;
-        // Middles are off by some roundings of the largest angle.
-        let half = (0.5 + OVERLAP) * share + 8.0 * f64::EPSILON * whole.lo.abs().max(whole.hi.abs());
+        let rows = self.rows.len();
+        let pieces = Pieces::of(self.arc);
         self.union.clear();
-        for k in 0..count as usize {
-            let center = whole.lo + (k as f64 + 0.5) * share;
-            self.arc = Arc { lo: sub_down(center, half), hi: add_up(center, half) };
+        for k in 0..pieces.count {
+            self.arc = pieces.piece(k);
             self.push_derived()?;
             let possible = self.contract_piece()?;
             if !possible {
@@ -84,7 +81,7 @@ impl InvariantStrips {
             }
             self.keep(rows);
         }
-        let Some(left) = hull_of_pieces(&self.union.left) else { return Err(self.no_piece()) };
+        let Some(left) = hull_of_pieces(&self.union.left) else { return Err(self.refute(&pieces)?) };
         self.arc = left;
         let union = core::mem::take(&mut self.union);
         let met = self.meet_union(&union);
@@ -93,8 +90,42 @@ impl InvariantStrips {
         self.push_derived()
     }
 
+    /// The contradiction where no piece is possible: of the rows with the whole arc, if there is one, or piece by piece. What a round
+    /// does is done again, so that rounds that end well keep no proofs.
+    fn refute(&mut self, pieces: &Pieces) -> Result<EstimatorError, EstimatorError> {
+        let rows = self.rows.len();
+        self.arc = pieces.whole;
+        self.push_derived()?;
+        if self.heading_bound(unit(Interval::point(self.arc.middle())))? == f64::NEG_INFINITY {
+            return Ok(self.empty());
+        }
+        self.keep(rows);
+        let mut cases = Vec::with_capacity(pieces.count);
+        for k in 0..pieces.count {
+            self.arc = pieces.piece(k);
+            let part = self.arc.angles();
+            self.push_derived()?;
+            let possible = self.contract_piece()?;
+            if !possible {
+                cases.push(Case { part, evidence: self.evidence_of_piece() });
+            }
+            self.keep(rows);
+        }
+        Ok(self.no_piece(Evidence::Cases { cover: pieces.whole.angles(), cases }))
+    }
+
+    /// Why the last piece is impossible.
+    fn evidence_of_piece(&self) -> Evidence {
+        match (self.rows.contradiction().filter(|_| self.emptied), self.union.crossed) {
+            (Some(proof), _) => Evidence::HalfSpaces { proof: Box::new(proof.clone()) },
+            (None, Some([predicted, required])) => Evidence::Disjoint { predicted, required },
+            (None, None) => self.unproven(),
+        }
+    }
+
     /// Contracts the arc in place, a piece, and adds what it allows to the union; false if that is nothing.
     fn contract_piece(&mut self) -> Result<bool, EstimatorError> {
+        self.union.crossed = None;
         let Some(scale) = self.scale_on_piece()? else { return Ok(false) };
         let Some(arc) = self.ends_of_piece()? else { return Ok(false) };
         let toward = middle(&unit(Interval::point(self.arc.middle())));
@@ -119,7 +150,7 @@ impl InvariantStrips {
         let cosine = Interval::point(self.half_width()).sin_cos().1.lo();
         let most = self.heading_bound(toward)?;
         let least = -self.heading_bound(toward.map(|t| -t))?;
-        Ok(Interval::new(scale.lo().max(least), scale.hi().min(div_up(most, cosine))).ok())
+        Ok(self.between(scale.lo().max(least), scale.hi().min(div_up(most, cosine))))
     }
 
     /// The piece with its ends moved inward.
@@ -131,7 +162,18 @@ impl InvariantStrips {
         let hi = sub_up(hi, self.inward(v));
         let v = self.heading_bound([first[1], -first[0]])?;
         let lo = sub_down(lo, -self.inward(v));
-        Ok((lo <= hi).then_some(Arc { lo, hi }))
+        Ok(self.between(lo, hi).map(|_| Arc { lo, hi }))
+    }
+
+    /// What lies between two bounds; if they cross, that is noted.
+    fn between(&mut self, lo: f64, hi: f64) -> Option<Interval> {
+        let found = Interval::new(lo, hi).ok();
+        if let (None, Ok(above), Ok(below)) =
+            (found, Interval::new(lo, f64::INFINITY), Interval::new(f64::NEG_INFINITY, hi))
+        {
+            self.union.crossed = Some([above, below]);
+        }
+        found
     }
 
     /// Intersects what was known with what the pieces allow.
@@ -153,10 +195,10 @@ impl InvariantStrips {
     }
 
     /// Each piece is impossible.
-    fn no_piece(&self) -> EstimatorError {
+    fn no_piece(&self, evidence: Evidence) -> EstimatorError {
         let mut culprits: Vec<Culprit> = self.union.blamed.iter().map(|&i| self.culprit(i)).collect();
         culprits.push(Culprit::Prediction);
-        self.inconsistent(culprits, Evidence::Propagation { hull: self.enclosure.fixed.as_flattened().to_vec() })
+        self.inconsistent(culprits, if evidence.verify() { evidence } else { self.unproven() })
     }
 
     /// Bounds of all functionals on the list, over the pieces if the arc was cut; the derived rows are gone then.
@@ -184,7 +226,32 @@ impl InvariantStrips {
             self.keep(rows);
         }
         self.arc = whole;
-        if self.union.bounds.contains(&f64::NEG_INFINITY) { Err(self.no_piece()) } else { Ok(()) }
+        if self.union.bounds.contains(&f64::NEG_INFINITY) { Err(self.no_piece(self.unproven())) } else { Ok(()) }
+    }
+}
+
+/// How an arc is cut.
+#[derive(Debug, Clone, Copy)]
+struct Pieces {
+    whole: Arc,
+    count: usize,
+    share: f64,
+    /// Half the width of a piece.
+    half: f64,
+}
+
+impl Pieces {
+    fn of(whole: Arc) -> Self {
+        let count = (whole.width() / PIECE).ceil().clamp(1.0, MOST);
+        let share = whole.width() / count;
+        // Middles are off by some roundings of the largest angle.
+        let half = (0.5 + OVERLAP) * share + 8.0 * f64::EPSILON * whole.lo.abs().max(whole.hi.abs());
+        Self { whole, count: count as usize, share, half }
+    }
+
+    fn piece(&self, k: usize) -> Arc {
+        let center = self.whole.lo + (k as f64 + 0.5) * self.share;
+        Arc { lo: sub_down(center, self.half), hi: add_up(center, self.half) }
     }
 }
 

@@ -2,6 +2,10 @@
 
 use super::options::StripsOptions;
 
+/// Without buckets: instants for which a bound, and a measurement, stay without carrying anything. Rows that have not been needed for that
+/// long hardly ever are again, for they only grow.
+const IDLE: [u64; 2] = [5, 15];
+
 /// Where a row comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Origin {
@@ -44,7 +48,7 @@ impl Pruning {
     /// Marks the rows to keep: `slack(i)` is the distance of row `i` from the middle of the set, in units of its class.
     ///
     /// A row stays while it is young enough and was used at this instant, belongs to the bucket of this instant, or has the least slack of
-    /// its class and bucket (the oldest of equal ones). Any choice is sound.
+    /// its class and bucket (the oldest of equal ones); without buckets, while it is young enough and was used lately. Any choice is sound.
     pub(super) fn choose(
         &mut self,
         tags: &[Tag],
@@ -56,7 +60,8 @@ impl Pruning {
         let young = |tag: &Tag| tag.origin != Origin::Derived && instant - tag.born <= life(tag) as u64;
         self.keep.clear();
         if options.bucket == 0 {
-            self.keep.extend(tags.iter().map(young));
+            let idle = |tag: &Tag| instant - tag.born.max(tag.used) > IDLE[usize::from(tag.origin != Origin::Bound)];
+            self.keep.extend(tags.iter().map(|tag| young(tag) && !idle(tag)));
             return;
         }
         let bucket = (instant / 8).clamp(2, (options.bucket as u64).max(2));

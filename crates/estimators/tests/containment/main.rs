@@ -5,10 +5,12 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod hard_truth;
 mod hulls;
 mod linear;
 mod strips;
 mod strips_calibration;
+mod strips_extremes;
 mod strips_groups;
 mod strips_hard;
 mod strips_spans;

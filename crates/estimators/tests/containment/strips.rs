@@ -179,19 +179,25 @@ fn first_poses_and_dwelling_noises_are_contained() {
     }
 }
 
-/// Sizes, from a heading that is not known at all: the paper's filters keep about 0.5 rad and 4 to 5 square meters, and lose the state.
+/// Sizes over paper 000's 1571 steps, from a heading that is not known at all: the paper's filters keep about 0.5 rad and 4 to 5 square meters,
+/// and lose the state. The limits are those of the acceptance: of means over runs for uniform noise, with wider ones for each.
 #[test]
 fn sets_are_small() {
-    for seed in 1..3 {
-        let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Uniform, seed), 700);
-        assert!(means.late_heading < 0.18 && means.late_area < 0.09, "{means:?}");
-        assert!(means.heading < 0.33 && means.area < 0.13, "{means:?}");
-        assert!(means.rows <= 210 && means.programs < 8.0, "{means:?}");
+    let steps = 1571;
+    let runs: Vec<Means> = (1..4)
+        .map(|seed| run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Uniform, seed), steps))
+        .collect();
+    let mean = |of: fn(&Means) -> f64| runs.iter().map(of).sum::<f64>() / runs.len() as f64;
+    assert!(mean(|run| run.heading) <= 0.23 && mean(|run| run.area) <= 0.08, "{runs:?}");
+    assert!(mean(|run| run.late_heading) <= 0.18 && mean(|run| run.late_area) <= 0.075, "{runs:?}");
+    for means in &runs {
+        assert!(means.heading <= 0.26 && means.area <= 0.10, "{means:?}");
+        assert!(means.rows <= 210 && means.programs <= 6.9, "{means:?}");
     }
-    let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Constant(7), 1), 700);
-    assert!(means.late_heading < 0.53 && means.late_area < 4.0001, "{means:?}");
-    let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Vertices, 1), 400);
-    assert!(means.late_heading < 0.03 && means.late_area < 0.001, "{means:?}");
+    let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Constant(7), 1), steps);
+    assert!(means.late_heading <= 0.50 && means.late_area <= 4.0001, "{means:?}");
+    let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Vertices, 1), steps);
+    assert!(means.late_heading <= 0.03 && means.late_area <= 0.01, "{means:?}");
 }
 
 /// A run of any length, a million steps with `ORBITOPE_CASES=1000`: rows and sets stay as they are after a thousand.
@@ -199,7 +205,7 @@ fn sets_are_small() {
 fn long_runs_stay_small() {
     let means = run(&mut unknown_heading(StripsOptions::pose()), &mut Truth::new(Noise::Dwelling, 5), cases(1000));
     println!("{means:?}");
-    assert!(means.rows <= 210 && means.late_heading < 0.4 && means.late_area < 1.0, "{means:?}");
+    assert!(means.rows <= 210 && means.late_heading <= 0.27 && means.late_area <= 0.71, "{means:?}");
 }
 
 /// The set does not depend on where the coordinates begin, nor on how "unknown" is written.

@@ -1,6 +1,9 @@
 //! Scale of the odometry and lever arm of the receiver (paper 002, Problem 3), bounded from nothing.
 
-use estimators::{Estimator, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions};
+use estimators::{
+    Culprit, Estimator, EstimatorError, Evidence, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement,
+    StripsOptions,
+};
 use scalars::Interval;
 
 use crate::support::Random;
@@ -31,6 +34,9 @@ const FAST: Case = Case {
     arm: [1.0, 0.5],
     constant: false,
 };
+
+/// As poor as a robot's wheels are for the way they drive.
+const POOR: Case = Case { turn_rate: 0.2, gyro: 0.05, speed: 0.6, receiver: 1.5, constant: true, ..FAST };
 
 fn symmetric(radius: f64) -> Interval {
     Interval::new(-radius, radius).unwrap()
@@ -121,10 +127,11 @@ fn scale_and_lever_arm_are_found() {
         let (filter, widths) = run(FAST, seed);
         let set = filter.enclosure();
         // Without the pieces of the wide arc: 1.3 at 10 s.
-        assert!(widths[0] < 1.1 && widths[1] < 0.03 && widths[2] < 0.03, "{widths:?}");
-        assert!(set.scale.width() < 0.0125, "{:?}", set.scale);
-        assert!(set.body[0].iter().all(|side| side.width() < 1.1), "{:?}", set.body);
-        assert!(filter.num_rows() <= 800 && filter.programs() < 50);
+        assert!(widths[0] < 1.1 && widths[1] < 0.03 && widths[2] <= 0.03, "{widths:?}");
+        assert!(set.scale.width() <= 0.012, "{:?}", set.scale);
+        // 1.0 in the mean of twenty runs, which the scenario shows; 1.1 for each.
+        assert!(set.body[0].iter().all(|side| side.width() <= 1.1), "{:?}", set.body);
+        assert!(filter.num_rows() <= 640 && filter.programs() < 50);
     }
 }
 
@@ -140,7 +147,7 @@ fn constant_noises_and_other_bodies_are_contained() {
 fn what_cannot_be_seen_stays_as_it_was() {
     let slow = core::f64::consts::PI / 25.0;
     let (filter, widths) = run(Case { turn_rate: slow, gyro: 0.01, speed: 0.1, receiver: 1.0, ..FAST }, 1);
-    assert!(widths[1] < 0.3 && filter.enclosure().scale.width() < 0.16, "{widths:?}");
+    assert!(widths[1] <= 0.25 && filter.enclosure().scale.width() <= 0.137, "{widths:?}");
     assert!(filter.enclosure().body[0].iter().all(|side| side.width() <= 6.0));
 }
 
@@ -148,7 +155,42 @@ fn what_cannot_be_seen_stays_as_it_was() {
 /// update, and the truth is never lost.
 #[test]
 fn a_heading_that_stays_wide_is_contained() {
-    let poor = Case { turn_rate: 0.2, gyro: 0.05, speed: 0.6, receiver: 1.5, constant: true, ..FAST };
-    let (_, widths) = run(poor, 3);
+    let (_, widths) = run(POOR, 3);
     assert!(widths.iter().all(|&width| width > 0.15 && width < 6.0), "{widths:?}");
+}
+
+/// Ten meters are driven and one is seen. A heading that is totally unknown may be the average of all, so no rows alone contradict
+/// each other: the proof goes around the circle, by pieces or (scale and arm known) by caps. It is checked again, kept as text, and is none without one of
+/// its cases.
+#[test]
+fn proofs_around_the_circle_are_checked() {
+    let (side, step) = ([symmetric(1.0); 2], [Interval::point(10.0), Interval::ZERO]);
+    let scale = Interval::new(0.8, 1.25).unwrap();
+    let pieces = PlanarBox::scale_and_lever_arm(Interval::ENTIRE, scale, side, [symmetric(0.1); 2]);
+    let caps = PlanarBox::se2(Interval::ENTIRE, side);
+    for (prior, options) in [(pieces, StripsOptions::calibration()), (caps, StripsOptions::pose())] {
+        let mut filter = InvariantStrips::new(&prior, options).unwrap();
+        let fix = |x: f64| PlanarMeasurement::position([x, 0.0], [symmetric(0.1); 2]);
+        filter.update(&[fix(0.0)]).unwrap();
+        let noise = symmetric(0.01);
+        filter.predict(&PlanarIncrement::odometry(Interval::ZERO, step, noise, [noise; 2])).unwrap();
+        let before = filter.enclosure().clone();
+        let Err(EstimatorError::Inconsistent(mut proof)) = filter.update(&[fix(1.0)]) else { panic!("no proof") };
+        println!("{proof}");
+        assert_eq!(&before, filter.enclosure());
+        assert!(proof.verify() && proof.margin() > 0.0, "{proof}");
+        assert!(proof.culprits.iter().any(|culprit| matches!(culprit, Culprit::Earlier { step: 0, .. })), "{proof}");
+        #[cfg(feature = "serde")]
+        {
+            let text = serde_json::to_string(&proof).unwrap();
+            let read: estimators::Inconsistency = serde_json::from_str(&text).unwrap();
+            assert!(read == *proof && read.verify());
+        }
+        let Evidence::Cases { cover, cases } = &mut proof.evidence else { panic!("{proof}") };
+        assert!(cover.width() > 6.28 && cases.len() >= 8, "{cover} {}", cases.len());
+        // Caps overlap a good deal: all that hold one angle have to go.
+        let angle = cases[cases.len() / 2].part.mid();
+        cases.retain(|case| !case.part.contains(angle));
+        assert!(!proof.verify() && proof.margin() > 0.0);
+    }
 }
