@@ -111,7 +111,93 @@ fn direction(u: &Region) -> Region {
 
 #[cfg(test)]
 mod tests {
+    use super::super::embedding::Embedding;
+    use super::super::plane::dot;
+    use super::super::transport::Account;
     use super::*;
+
+    fn turned(angle: f64, a: Vector) -> Vector {
+        let (s, c) = angle.sin_cos();
+        [c * a[0] - s * a[1], s * a[0] + c * a[1]]
+    }
+
+    fn plus(a: Vector, b: Vector) -> Vector {
+        [a[0] + b[0], a[1] + b[1]]
+    }
+
+    /// `U + n` of one form, turned as it is, for one noise.
+    fn moved(form: Form, u: Vector, turn: f64, alpha: f64, n: Vector) -> Vector {
+        match form {
+            Form::Additive => plus(u, n),
+            // e^{i turn} V(i alpha) n
+            Form::Exponential => {
+                plus(u, turned(turn + 0.5 * alpha, n.map(|side| side * (0.5 * alpha).sin() / (0.5 * alpha))))
+            }
+            Form::Chord => turned(0.5 * alpha, plus(u, turned(u[1].atan2(u[0]), n))),
+        }
+    }
+
+    /// What a motion adds to a row, over noises, headings and scales, is never above the growth and comes near it: with the other lever, or without
+    /// the half turn of a chord, it would be.
+    #[test]
+    fn growth_is_the_supremum() {
+        let symmetric = |radius: f64| Interval::new(-radius, radius).unwrap();
+        let (reference, turn, most, radii) = (1.0, 0.4, 0.05, [0.02, 0.03]);
+        let (from, u, scales) = ([2.0, 1.0], [3.0, 0.5], [0.99, 1.01]);
+        let arc = Interval::new(0.39, 0.41).unwrap();
+        let arm = [1.0, 0.5];
+        for form in [Form::Additive, Form::Exponential, Form::Chord] {
+            let motion = PlanarIncrement {
+                form,
+                ..PlanarIncrement::odometry(Interval::point(turn), point(u), symmetric(most), radii.map(symmetric))
+            };
+            let next = reference + turn;
+            let slip = Interval::point(turn) - (Interval::point(next) - Interval::point(reference));
+            let way = motion.way(0, slip);
+            let reached = sum(&point(from), &product(&unit(Interval::point(reference)), &way.moved));
+            let to = middle(&reached);
+            let headings = Interval::point(reference) + arc;
+            let axis = middle(&unit(Interval::point(0.4)));
+            let account = Account {
+                drifts: &[Drift::new(&way, [from, to], radius(&reached), headings, most)],
+                turned: &[product(&unit(arc - Interval::point(0.4)), &point(arm)).map(|side| side.inflate(1e-12))],
+                axis,
+                scale: Interval::new(scales[0], scales[1]).unwrap(),
+                embedding: Embedding::new(1, 1),
+                swing: Sweep::new(arc.inflate(0.5 * most), &[[0.0, 1.0]]),
+                most,
+            };
+            for k in 0..24 {
+                let angle = f64::from(k) * 0.27;
+                let (a, d, g) =
+                    (turned(1.7 * angle, [1.5, 0.0]), turned(angle, [1.0, 0.0]), turned(-0.6 * angle, [1.0, 0.0]));
+                let growth = account.growth(&[a[0], a[1], d[0], d[1], g[0], g[1]]);
+                let mut most_seen = f64::NEG_INFINITY;
+                for phi in [arc.lo(), 0.4, arc.hi()] {
+                    for scale in scales {
+                        for alpha in [-1.0, -0.99, -0.5, 0.001, 0.5, 0.99, 1.0].map(|part| part * most) {
+                            for n in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
+                                let n = [n[0] * radii[0], n[1] * radii[1]];
+                                let (z, xi) = (turned(phi, [scale, 0.0]), turned(phi, arm));
+                                let x =
+                                    turned(reference + phi, moved(form, u, turn, alpha, n).map(|side| side * scale));
+                                // q+ - q = (x+ - S+ z+) - (x - S z)
+                                let after = turned(alpha, z);
+                                let [s, s_next] = [from, to].map(|s| [[s[0], -s[1]], [s[1], s[0]]]);
+                                let q = [0, 1].map(|j| x[j] - dot(s_next[j], after) + dot(s[j], z));
+                                let moved_z = [after[0] - z[0], after[1] - z[1]];
+                                let after = turned(alpha, xi);
+                                let moved_xi = [after[0] - xi[0], after[1] - xi[1]];
+                                most_seen = most_seen.max(dot(a, moved_z) + dot(d, q) + dot(g, moved_xi));
+                            }
+                        }
+                    }
+                }
+                assert!(most_seen <= growth + 1e-13, "{form:?} {k}: {most_seen} above {growth}");
+                assert!(most_seen > 0.94 * growth, "{form:?} {k}: {most_seen} far below {growth}");
+            }
+        }
+    }
 
     /// `u / |u|` is enclosed, for points to rounding.
     #[test]

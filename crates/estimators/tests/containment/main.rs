@@ -13,4 +13,5 @@ mod strips_calibration;
 mod strips_extremes;
 mod strips_groups;
 mod strips_hard;
+mod strips_spans;
 mod vehicle;

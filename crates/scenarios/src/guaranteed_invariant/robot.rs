@@ -255,7 +255,8 @@ mod tests {
         assert!(lo < log.scale && log.scale < hi);
         assert!(hi - lo < 2.0 * 0.95 * 0.01 / 0.5 && hi - lo > 0.5 * 2.0 * 0.95 * 0.01 / 0.5, "{}", hi - lo);
         // Ten seconds with the bound of one.
-        let span = Span { chord_m: bounds.shift_m, ..Span::new(&log, 10, SAFETY) };
+        let mut span = Span::new(&log, 10, SAFETY);
+        span.chord_m = bounds.shift_m;
         let [lo, hi] = log.admissible_scales(&bounds, &[span]).unwrap();
         assert!(hi - lo < 2.2 * 0.95 * 0.01 / 5.0, "{}", hi - lo);
     }
