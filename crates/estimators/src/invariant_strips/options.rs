@@ -39,7 +39,7 @@ impl StripsOptions {
         Self { refresh: 0, ..Self::pose() }
     }
 
-    /// For scale and lever arms, measured at a low rate: some 200 rows, more while the heading is wide.
+    /// For scale and lever arms, measured at a low rate: some 250 rows, up to 400 while the heading is wide.
     #[must_use]
     pub const fn calibration() -> Self {
         Self { memory: 40, bucket: 0, refresh: 1, aligned: true, support_life: 30, caps: 48, spans: 0 }
