@@ -3,12 +3,15 @@
 use crate::answer::Status;
 use crate::bound::{Multiplier, Residual};
 use crate::certificate::Certificate;
-use crate::dual_simplex::{Ending, Engine, Rules};
+use crate::dual_simplex::{Ending, Engine, Patience, Rules};
 use crate::fixed_point::FixedPoint;
 use crate::problem::Problem;
 use crate::real::Real;
 use crate::rounding::UNDERFLOW;
 use crate::tableau::Tableau;
+
+/// A gap above this share of `|c|_1` is doubt.
+pub(crate) const GAP: f64 = 1e-11;
 
 /// Scratch of a solve, and its result.
 #[derive(Clone, Debug, Default)]
@@ -25,6 +28,8 @@ pub(crate) struct Workspace {
     /// Scratch of a proof of non-emptiness.
     pub(crate) fixed_point: FixedPoint,
     pub(crate) pivots: usize,
+    /// That of the attempt under way.
+    pub(crate) patience: Patience,
     /// The last run forgave violations above the tolerance of its precision.
     pub(crate) forgave: bool,
 }
@@ -63,7 +68,7 @@ impl Workspace {
         self.fixed_point.resize(n);
     }
 
-    /// One run of the method: how it ended, value and bound.
+    /// One attempt from the basis of the tableau: how it ended, value and bound.
     pub(crate) fn attempt<T: Real>(
         &mut self,
         problem: &Problem,
@@ -74,12 +79,50 @@ impl Workspace {
     ) -> (Ending, Answer) {
         engine.tableau.price(objective);
         engine.tableau.place();
+        self.patience = Patience::new(problem, self.pivots);
+        self.proceed(problem, engine, objective, norm, rules)
+    }
+
+    /// Goes on with an attempt from where the tableau stands.
+    ///
+    /// The vertex of costs that were moved is optimal for the true ones but for a gap; the method goes on if that is too wide.
+    pub(crate) fn proceed<T: Real>(
+        &mut self,
+        problem: &Problem,
+        engine: &mut Engine<T>,
+        objective: &[f64],
+        norm: f64,
+        rules: Rules,
+    ) -> (Ending, Answer) {
+        let shifted = self.patience.shifted;
         let ending = self.run(problem, engine, rules);
+        if shifted == self.patience.shifted {
+            return (ending, self.answer(problem, engine, objective, norm, ending));
+        }
+        engine.tableau.price(objective);
+        let answer = self.answer(problem, engine, objective, norm, ending);
+        if ending != Ending::Optimal || answer.is_within(GAP * norm) {
+            return (ending, answer);
+        }
+        engine.tableau.place();
+        let ending = self.run(problem, engine, rules);
+        (ending, self.answer(problem, engine, objective, norm, ending))
+    }
+
+    /// Value and bound at the vertex of the tableau.
+    fn answer<T: Real>(
+        &mut self,
+        problem: &Problem,
+        engine: &Engine<T>,
+        objective: &[f64],
+        norm: f64,
+        ending: Ending,
+    ) -> Answer {
         self.read(problem, &engine.tableau);
         let bound = problem.weak_duality(objective, norm, &self.multipliers, &mut self.residual);
         let value = objective.iter().zip(&self.point).map(|(c, x)| c * x).sum();
         let status = if ending == Ending::Optimal { Status::Optimal } else { Status::Stopped };
-        (ending, Answer { status, value, bound })
+        Answer { status, value, bound }
     }
 
     /// Puts the multipliers aside.
