@@ -131,11 +131,6 @@ impl Compensated {
         self.rest = add_up(self.rest, other.error());
     }
 
-    /// The sum, with its errors once more rounded.
-    pub(crate) fn value(&self) -> f64 {
-        self.sum + self.correction
-    }
-
     /// Bounds of the exact sum.
     pub(crate) fn bounds(&self) -> Bounds {
         if self.moduli == 0.0 && self.rest == 0.0 {

@@ -34,6 +34,15 @@ pub(crate) struct Workspace {
     pub(crate) forgave: bool,
 }
 
+/// What a solve maximises, and what it may do for it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Aim<'a> {
+    pub(crate) objective: &'a [f64],
+    /// Upper bound of its 1-norm.
+    pub(crate) norm: f64,
+    pub(crate) rules: Rules,
+}
+
 /// Status, value and bound of an attempt.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Answer {
@@ -73,14 +82,12 @@ impl Workspace {
         &mut self,
         problem: &Problem,
         engine: &mut Engine<T>,
-        objective: &[f64],
-        norm: f64,
-        rules: Rules,
+        aim: Aim<'_>,
     ) -> (Ending, Answer) {
-        engine.tableau.price(objective);
+        engine.tableau.price(aim.objective);
         engine.tableau.place();
         self.patience = Patience::new(problem, self.pivots);
-        self.proceed(problem, engine, objective, norm, rules)
+        self.proceed(problem, engine, aim)
     }
 
     /// Goes on with an attempt from where the tableau stands.
@@ -90,37 +97,28 @@ impl Workspace {
         &mut self,
         problem: &Problem,
         engine: &mut Engine<T>,
-        objective: &[f64],
-        norm: f64,
-        rules: Rules,
+        aim: Aim<'_>,
     ) -> (Ending, Answer) {
         let shifted = self.patience.shifted;
-        let ending = self.run(problem, engine, rules);
+        let ending = self.run(problem, engine, aim.rules);
         if shifted == self.patience.shifted {
-            return (ending, self.answer(problem, engine, objective, norm, ending));
+            return (ending, self.answer(problem, engine, aim, ending));
         }
-        engine.tableau.price(objective);
-        let answer = self.answer(problem, engine, objective, norm, ending);
-        if ending != Ending::Optimal || answer.is_within(GAP * norm) {
+        engine.tableau.price(aim.objective);
+        let answer = self.answer(problem, engine, aim, ending);
+        if ending != Ending::Optimal || answer.is_within(GAP * aim.norm) {
             return (ending, answer);
         }
         engine.tableau.place();
-        let ending = self.run(problem, engine, rules);
-        (ending, self.answer(problem, engine, objective, norm, ending))
+        let ending = self.run(problem, engine, aim.rules);
+        (ending, self.answer(problem, engine, aim, ending))
     }
 
     /// Value and bound at the vertex of the tableau.
-    fn answer<T: Real>(
-        &mut self,
-        problem: &Problem,
-        engine: &Engine<T>,
-        objective: &[f64],
-        norm: f64,
-        ending: Ending,
-    ) -> Answer {
+    fn answer<T: Real>(&mut self, problem: &Problem, engine: &Engine<T>, aim: Aim<'_>, ending: Ending) -> Answer {
         self.read(problem, &engine.tableau);
-        let bound = problem.weak_duality(objective, norm, &self.multipliers, &mut self.residual);
-        let value = objective.iter().zip(&self.point).map(|(c, x)| c * x).sum();
+        let bound = problem.weak_duality(aim.objective, aim.norm, &self.multipliers, &mut self.residual);
+        let value = aim.objective.iter().zip(&self.point).map(|(c, x)| c * x).sum();
         let status = if ending == Ending::Optimal { Status::Optimal } else { Status::Stopped };
         Answer { status, value, bound }
     }

@@ -3,7 +3,7 @@
 use super::Solver;
 use crate::answer::Status;
 use crate::dual_simplex::{Ending, Rules};
-use crate::workspace::{Answer, GAP};
+use crate::workspace::{Aim, Answer, GAP};
 
 /// A point that misses a row by more than this share of its 1-norm for each variable, and four more, is doubt as well: a dozen
 /// roundings each.
@@ -60,6 +60,11 @@ impl Solver {
         self.empty
     }
 
+    fn aim<'a>(&self, objective: &'a [f64], norm: f64) -> Aim<'a> {
+        let rules = Rules { limit: self.pivot_limit.unwrap_or(usize::MAX), certify: true };
+        Aim { objective, norm, rules }
+    }
+
     /// Three attempts: from the last basis; from the same basis rebuilt from the data, if the first left doubt; and with twice
     /// the digits, if the rows are so nearly dependent that these are needed.
     ///
@@ -69,13 +74,13 @@ impl Solver {
         if self.empty {
             return Answer::EMPTY;
         }
-        let rules = Rules { limit: self.pivot_limit.unwrap_or(usize::MAX), certify: true };
+        let aim = self.aim(objective, norm);
         let mut rebuilt = self.engine.tableau.age == 0;
         let Self { problem, engine, workspace, .. } = self;
         let rounding = MISS * (problem.variables() + 4) as f64;
         loop {
             let before = workspace.pivots;
-            let (mut ending, mut answer) = workspace.attempt(problem, engine, objective, norm, rules);
+            let (mut ending, mut answer) = workspace.attempt(problem, engine, aim);
             self.unchecked += workspace.pivots - before;
             let mut refinements = 0;
             while ending == Ending::Optimal && answer.is_within(GAP * norm) {
@@ -96,7 +101,7 @@ impl Solver {
                 }
                 refinements += 1;
                 engine.tableau.refine(problem, &workspace.point);
-                (ending, answer) = workspace.proceed(problem, engine, objective, norm, rules);
+                (ending, answer) = workspace.proceed(problem, engine, aim);
             }
             if ending == Ending::Empty {
                 self.empty = true;
@@ -116,6 +121,7 @@ impl Solver {
 
     /// The last attempt, with twice the digits; `first` is what the others have found.
     fn solve_precisely(&mut self, objective: &[f64], norm: f64, first: Answer) -> Answer {
+        let aim = self.aim(objective, norm);
         let Self { problem, engine, precise, workspace, .. } = self;
         if self.imprecise {
             precise.build(problem);
@@ -124,8 +130,7 @@ impl Solver {
             self.imprecise = false;
         }
         workspace.keep_multipliers();
-        let rules = Rules { limit: self.pivot_limit.unwrap_or(usize::MAX), certify: true };
-        let (ending, mut answer) = workspace.attempt(problem, precise, objective, norm, rules);
+        let (ending, mut answer) = workspace.attempt(problem, precise, aim);
         if ending == Ending::Empty {
             self.empty = true;
             return Answer::EMPTY;
