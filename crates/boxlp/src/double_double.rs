@@ -87,6 +87,7 @@ impl Real for DoubleDouble {
     const SURE_PIVOT: f64 = 1e-6;
     const ZERO_PIVOT: f64 = 1e-26;
     const REBUILD_PIVOT: f64 = 1e-20;
+    const SHIFT: f64 = 1e-22;
 
     fn to_f64(self) -> f64 {
         self.head

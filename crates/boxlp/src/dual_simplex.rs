@@ -13,6 +13,30 @@ const LOOSENINGS: usize = 2;
 /// rounding of their data are treated as the points they are meant to be.
 const MISS: f64 = 1e-12;
 
+/// How long a solve may take before something is done about it; the runs of an attempt share it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Patience {
+    /// At this number of exchanges the reduced costs are moved apart.
+    shift_at: usize,
+    /// The costs have been moved.
+    pub(crate) shifted: bool,
+    /// At this number of exchanges the tolerance is loosened.
+    loosen_at: usize,
+    loosened: usize,
+}
+
+impl Patience {
+    /// That of a problem, from the given number of exchanges on.
+    pub(crate) fn new(problem: &Problem, pivots: usize) -> Self {
+        let size = problem.variables() + problem.rows();
+        Self { shift_at: pivots + 10 + size / 2, shifted: false, loosen_at: pivots + Self::span(problem), loosened: 0 }
+    }
+
+    fn span(problem: &Problem) -> usize {
+        20 + 2 * (problem.variables() + problem.rows())
+    }
+}
+
 /// How a run of the method ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Ending {
@@ -52,26 +76,28 @@ impl<T: Real> Engine<T> {
 }
 
 impl Workspace {
-    /// Runs the method on a priced and placed tableau.
+    /// Runs the method on a priced and placed tableau, with [`Workspace::patience`].
     pub(crate) fn run<T: Real>(&mut self, problem: &Problem, engine: &mut Engine<T>, rules: Rules) -> Ending {
         let Engine { tableau, ratio_test } = engine;
         let contradiction = T::from(T::CONTRADICTION);
-        let patience = 20 + 2 * (problem.variables() + problem.rows());
-        let mut loosen_at = self.pivots + patience;
-        let mut loosened = 0;
         let mut tolerance = T::from(T::FEASIBILITY);
         self.forgave = false;
         while let Some(violation) = tableau.worst(tolerance) {
             if self.pivots >= rules.limit {
                 return Ending::Limit;
             }
-            if self.pivots >= loosen_at {
+            let patience = &mut self.patience;
+            if self.pivots >= patience.shift_at && !patience.shifted {
+                patience.shifted = true;
+                tableau.shift_costs();
+            }
+            if self.pivots >= patience.loosen_at {
                 // Rounding errors make the method cycle: forgive larger violations.
-                if loosened == LOOSENINGS {
+                if patience.loosened == LOOSENINGS {
                     return Ending::Doubt;
                 }
-                loosened += 1;
-                loosen_at += patience;
+                patience.loosened += 1;
+                patience.loosen_at += Patience::span(problem);
                 tolerance = tolerance * T::from(100.0);
                 self.forgave = true;
                 continue;

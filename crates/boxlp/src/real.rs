@@ -42,6 +42,9 @@ pub(crate) trait Real:
     /// Smallest entry an exchange may divide by when a basis is rebuilt.
     const REBUILD_PIVOT: f64;
 
+    /// By how much reduced costs are moved apart where the method stalls, as a share of the largest.
+    const SHIFT: f64;
+
     /// The nearest `f64`.
     fn to_f64(self) -> f64;
 
@@ -67,6 +70,7 @@ impl Real for f64 {
     const SURE_PIVOT: f64 = 1e-3;
     const ZERO_PIVOT: f64 = 1e-13;
     const REBUILD_PIVOT: f64 = 1e-9;
+    const SHIFT: f64 = 1e-12;
 
     fn to_f64(self) -> f64 {
         self

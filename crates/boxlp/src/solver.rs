@@ -1,28 +1,14 @@
 //! The solver: a problem and its tableau, one objective after another.
 
 use crate::LpError;
-use crate::answer::{Emptiness, Solution, Status};
+use crate::answer::{Emptiness, Solution};
 use crate::double_double::DoubleDouble;
-use crate::dual_simplex::{Ending, Engine, Rules};
+use crate::dual_simplex::{Ending, Engine, Patience, Rules};
 use crate::problem::Problem;
 use crate::witness::Witness;
 use crate::workspace::{Answer, Workspace};
 
-/// A gap above this share of `|c|_1` is doubt: the tableau is rebuilt, and then the method repeated with twice the digits.
-const GAP: f64 = 1e-11;
-
-/// A point that misses a row by more than this share of its 1-norm for each variable, and four more, is doubt as well: a dozen
-/// roundings each.
-const MISS: f64 = 6.0 * f64::EPSILON;
-
-/// What is called optimal in the end has a gap of at most this share of `|c|_1`.
-const WIDE_GAP: f64 = 1e-9;
-
-/// What is called optimal in the end misses no row by more than this share of its 1-norm.
-const WIDE_MISS: f64 = 1e-11;
-
-/// Exchanges between two comparisons of the tableau with the data.
-const CHECK_EVERY: usize = 64;
+mod settle;
 
 /// How far a witness is sought inside the set, in this order: a deep point survives the rounding of its proof.
 const MARGINS: [f64; 2] = [1e-7, 1e-10];
@@ -164,8 +150,8 @@ impl Solver {
     /// Maximises `c'x`.
     ///
     /// Method: dual simplex with bound flips from the last basis; the multipliers are read off the reduced costs and give
-    /// the bound by weak duality ([`Problem::upper_bound`]). Should the gap or the rows leave doubt, the tableau is rebuilt from
-    /// the data; should doubt remain, as for entries over many decades or rows that are nearly dependent, the method goes on in
+    /// the bound by weak duality ([`Problem::upper_bound`]). Should the point miss a row, it is refined; should the gap or the rows leave
+    /// doubt, the tableau is rebuilt from the data; should doubt remain, as for entries over many decades or rows that are nearly dependent, the method goes on in
     /// double-double numbers (and allocates their tableau, once).
     ///
     /// The bound of an optimal answer is as tight as the rows are known: it is at most 1e-9 `|c|_1`, by experience 1e-11, above
@@ -230,6 +216,7 @@ impl Solver {
             engine.tableau.price(zeros);
             engine.tableau.place();
             workspace.pivots = 0;
+            workspace.patience = Patience::new(problem, 0);
             if workspace.run(problem, engine, rules) != Ending::Optimal {
                 return false;
             }
@@ -238,109 +225,5 @@ impl Solver {
         });
         engine.tableau.set_bounds(problem, 0.0);
         proven
-    }
-
-    /// Brings the tableau up to date with the problem.
-    fn prepare(&mut self) {
-        if self.stale {
-            self.engine.build(&self.problem);
-            self.workspace.resize(&self.problem);
-            self.empty = false;
-            self.unchecked = 0;
-            self.imprecise = true;
-        } else if self.moved {
-            self.engine.tableau.set_bounds(&self.problem, 0.0);
-            self.imprecise = true;
-        }
-        self.stale = false;
-        self.moved = false;
-        self.workspace.pivots = 0;
-    }
-
-    /// Status, value and bound; the rest is in the workspace.
-    ///
-    /// Where all attempts leave doubt the set may be empty in a way that this objective does not show: that is asked then.
-    fn solve(&mut self, objective: &[f64], norm: f64) -> Answer {
-        let answer = self.settle(objective, norm);
-        let doubt = answer.status == Status::Stopped && self.pivot_limit.is_none() && norm > 0.0;
-        if doubt && self.is_contradictory() { Answer::EMPTY } else { answer }
-    }
-
-    /// Looks for a contradiction from the logical basis; leaves point and multipliers as they were.
-    fn is_contradictory(&mut self) -> bool {
-        let kept = (self.workspace.multipliers.clone(), self.workspace.point.clone());
-        self.engine.build(&self.problem);
-        self.imprecise = true;
-        let zeros = core::mem::take(&mut self.workspace.zeros);
-        self.settle(&zeros, 0.0);
-        self.workspace.zeros = zeros;
-        (self.workspace.multipliers, self.workspace.point) = kept;
-        self.empty
-    }
-
-    /// Three attempts: from the last basis; from the same basis rebuilt from the data, if the first left doubt; and with twice
-    /// the digits, if the rows are so nearly dependent that these are needed.
-    fn settle(&mut self, objective: &[f64], norm: f64) -> Answer {
-        if self.empty {
-            return Answer::EMPTY;
-        }
-        let rules = Rules { limit: self.pivot_limit.unwrap_or(usize::MAX), certify: true };
-        let mut rebuilt = self.engine.tableau.age == 0;
-        let Self { problem, engine, workspace, .. } = self;
-        let rounding = MISS * (problem.variables() + 4) as f64;
-        loop {
-            let before = workspace.pivots;
-            let (ending, answer) = workspace.attempt(problem, engine, objective, norm, rules);
-            self.unchecked += workspace.pivots - before;
-            if ending == Ending::Empty {
-                self.empty = true;
-                return Answer::EMPTY;
-            }
-            let suspect = workspace.forgave
-                || engine.tableau.worst(rounding).is_some()
-                || engine.tableau.delicate
-                || self.unchecked >= CHECK_EVERY;
-            let sound = ending == Ending::Optimal && answer.is_within(GAP * norm) && {
-                !suspect || {
-                    self.unchecked = 0;
-                    problem.largest_miss(&workspace.point) <= rounding
-                }
-            };
-            if sound || ending == Ending::Limit {
-                return answer;
-            }
-            if rebuilt {
-                return self.solve_precisely(objective, norm, answer);
-            }
-            rebuilt = true;
-            engine.tableau.rebuild(problem);
-            self.unchecked = 0;
-        }
-    }
-
-    /// The last attempt, with twice the digits; `first` is what the others have found.
-    fn solve_precisely(&mut self, objective: &[f64], norm: f64, first: Answer) -> Answer {
-        let Self { problem, engine, precise, workspace, .. } = self;
-        if self.imprecise {
-            precise.build(problem);
-            precise.tableau.round(&engine.tableau);
-            precise.tableau.rebuild(problem);
-            self.imprecise = false;
-        }
-        workspace.keep_multipliers();
-        let rules = Rules { limit: self.pivot_limit.unwrap_or(usize::MAX), certify: true };
-        let (ending, mut answer) = workspace.attempt(problem, precise, objective, norm, rules);
-        if ending == Ending::Empty {
-            self.empty = true;
-            return Answer::EMPTY;
-        }
-        engine.tableau.round(&precise.tableau);
-        if first.bound < answer.bound {
-            workspace.restore_multipliers();
-            answer.bound = first.bound;
-        }
-        let fits = answer.is_within(WIDE_GAP * norm) && problem.largest_miss(&workspace.point) <= WIDE_MISS;
-        answer.status = if ending == Ending::Optimal && fits { Status::Optimal } else { Status::Stopped };
-        answer
     }
 }

@@ -17,6 +17,7 @@ pub(crate) mod basis;
 mod edit;
 mod exchange;
 mod rebuild;
+mod refine;
 
 /// With more rows than this, fewer exchanges are worth the care of choosing the violated row.
 const MANY: usize = 40;
@@ -151,6 +152,19 @@ impl<T: Real> Tableau<T> {
         self.columns.place();
         for (value, row) in self.rows.value.iter_mut().zip(self.matrix.chunks_exact(self.stride)) {
             *value = dot(row, &self.columns.value);
+        }
+    }
+
+    /// Moves the reduced costs away from zero, each by another amount: among costs that are zero but for rounding the method would cycle.
+    pub(crate) fn shift_costs(&mut self) {
+        let Columns { cost, side, .. } = &mut self.columns;
+        let largest = cost.iter().fold(T::ZERO, |most, d| if d.abs() > most { d.abs() } else { most });
+        let largest = if largest > T::ZERO { largest } else { T::ONE };
+        let mut share = 0.0_f64;
+        for (cost, side) in cost.iter_mut().zip(side) {
+            // Multiples of the golden ratio modulo 1: no two are close.
+            share = (share + 0.618_033_988_749_895).fract();
+            *cost += *side * largest * T::from(T::SHIFT * (1.0 + share));
         }
     }
 

@@ -3,12 +3,15 @@
 use crate::answer::Status;
 use crate::bound::{Multiplier, Residual};
 use crate::certificate::Certificate;
-use crate::dual_simplex::{Ending, Engine, Rules};
+use crate::dual_simplex::{Ending, Engine, Patience, Rules};
 use crate::fixed_point::FixedPoint;
 use crate::problem::Problem;
 use crate::real::Real;
 use crate::rounding::UNDERFLOW;
 use crate::tableau::Tableau;
+
+/// A gap above this share of `|c|_1` is doubt.
+pub(crate) const GAP: f64 = 1e-11;
 
 /// Scratch of a solve, and its result.
 #[derive(Clone, Debug, Default)]
@@ -25,8 +28,19 @@ pub(crate) struct Workspace {
     /// Scratch of a proof of non-emptiness.
     pub(crate) fixed_point: FixedPoint,
     pub(crate) pivots: usize,
+    /// That of the attempt under way.
+    pub(crate) patience: Patience,
     /// The last run forgave violations above the tolerance of its precision.
     pub(crate) forgave: bool,
+}
+
+/// What a solve maximises, and what it may do for it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Aim<'a> {
+    pub(crate) objective: &'a [f64],
+    /// Upper bound of its 1-norm.
+    pub(crate) norm: f64,
+    pub(crate) rules: Rules,
 }
 
 /// Status, value and bound of an attempt.
@@ -63,23 +77,50 @@ impl Workspace {
         self.fixed_point.resize(n);
     }
 
-    /// One run of the method: how it ended, value and bound.
+    /// One attempt from the basis of the tableau: how it ended, value and bound.
     pub(crate) fn attempt<T: Real>(
         &mut self,
         problem: &Problem,
         engine: &mut Engine<T>,
-        objective: &[f64],
-        norm: f64,
-        rules: Rules,
+        aim: Aim<'_>,
     ) -> (Ending, Answer) {
-        engine.tableau.price(objective);
+        engine.tableau.price(aim.objective);
         engine.tableau.place();
-        let ending = self.run(problem, engine, rules);
+        self.patience = Patience::new(problem, self.pivots);
+        self.proceed(problem, engine, aim)
+    }
+
+    /// Goes on with an attempt from where the tableau stands.
+    ///
+    /// The vertex of costs that were moved is optimal for the true ones but for a gap; the method goes on if that is too wide.
+    pub(crate) fn proceed<T: Real>(
+        &mut self,
+        problem: &Problem,
+        engine: &mut Engine<T>,
+        aim: Aim<'_>,
+    ) -> (Ending, Answer) {
+        let shifted = self.patience.shifted;
+        let ending = self.run(problem, engine, aim.rules);
+        if shifted == self.patience.shifted {
+            return (ending, self.answer(problem, engine, aim, ending));
+        }
+        engine.tableau.price(aim.objective);
+        let answer = self.answer(problem, engine, aim, ending);
+        if ending != Ending::Optimal || answer.is_within(GAP * aim.norm) {
+            return (ending, answer);
+        }
+        engine.tableau.place();
+        let ending = self.run(problem, engine, aim.rules);
+        (ending, self.answer(problem, engine, aim, ending))
+    }
+
+    /// Value and bound at the vertex of the tableau.
+    fn answer<T: Real>(&mut self, problem: &Problem, engine: &Engine<T>, aim: Aim<'_>, ending: Ending) -> Answer {
         self.read(problem, &engine.tableau);
-        let bound = problem.weak_duality(objective, norm, &self.multipliers, &mut self.residual);
-        let value = objective.iter().zip(&self.point).map(|(c, x)| c * x).sum();
+        let bound = problem.weak_duality(aim.objective, aim.norm, &self.multipliers, &mut self.residual);
+        let value = aim.objective.iter().zip(&self.point).map(|(c, x)| c * x).sum();
         let status = if ending == Ending::Optimal { Status::Optimal } else { Status::Stopped };
-        (ending, Answer { status, value, bound })
+        Answer { status, value, bound }
     }
 
     /// Puts the multipliers aside.

@@ -79,6 +79,7 @@ mod se2;
 mod small;
 mod so2;
 mod so3;
+mod triples;
 mod turn;
 mod two_frame;
 

@@ -6,7 +6,8 @@ use scalars::Scalar;
 use crate::frame_group::{JacobianParts, WithMaps};
 use crate::lie_group::checked_vee;
 use crate::small::{apply, negated, part, put, sum, times};
-use crate::so3::{dot, rodrigues, skew, squared};
+use crate::so3::{rodrigues, skew};
+use crate::triples::{dot, squared};
 use crate::{Coeff, FrameGroup, GroupError, LieGroup, RPlus, SO3, ScaledMaps};
 
 /// A rotation of space by the vector `w` and a scaling by `e^s`.

@@ -5,6 +5,7 @@ use scalars::Scalar;
 
 use crate::frame_group::{JacobianParts, WithMaps};
 use crate::lie_group::checked_vee;
+use crate::triples::{dot, squared};
 use crate::{Coeff, FrameGroup, GroupError, LieGroup};
 
 /// A rotation of space by the vector `w`: about its direction by its length.
@@ -41,17 +42,6 @@ pub struct SO3<S: Coeff> {
 pub(crate) fn skew<S: Scalar>(v: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
     let o = S::zero();
     SMatrix::<S, 3, 3>::new(o, -v[2], v[1], v[2], o, -v[0], -v[1], v[0], o)
-}
-
-/// `|v|^2`.
-#[inline]
-pub(crate) fn squared<S: Scalar>(v: &SVector<S, 3>) -> S {
-    v[0].sqr() + v[1].sqr() + v[2].sqr()
-}
-
-#[inline]
-pub(crate) fn dot<S: Scalar>(a: &SVector<S, 3>, b: &SVector<S, 3>) -> S {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// `I + b W + c W^2`.

@@ -30,6 +30,26 @@ pub type Ekf<Mo, C, const N: usize, const M: usize, const W: usize, const V: usi
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Linearization;
 
+/// A motion about a mean: where the mean goes, and what errors and noises of the step become.
+pub(super) struct LinearStep<P, const N: usize, const W: usize> {
+    /// `A`.
+    pub(super) map: SMatrix<f64, N, N>,
+    /// `B` times the root of the noises' covariance.
+    pub(super) noises: SMatrix<f64, N, W>,
+    pub(super) to: P,
+}
+
+impl<P, const N: usize, const W: usize> LinearStep<P, N, W> {
+    pub(super) fn new<Mo, C>(motion: &Mo, mean: &P, process: &SMatrix<f64, W, W>, input: &Mo::Input) -> Self
+    where
+        C: Chart<N, Point = P>,
+        Mo: SmoothMotion<C, N, W>,
+    {
+        let (map, b) = motion.motion_jacobians(mean, input);
+        Self { map, noises: b * process, to: motion.transition(mean, input, &SVector::zeros()) }
+    }
+}
+
 impl<Mo, C, const N: usize, const W: usize> Forecast<Mo, C, N, W> for Linearization
 where
     C: Chart<N>,
@@ -42,12 +62,12 @@ where
         process: &SMatrix<f64, W, W>,
         input: &Mo::Input,
     ) -> Result<Gaussian<C, N>, EstimatorError> {
-        let (a, b) = motion.motion_jacobians(belief.mean(), input);
-        let mut spread = root::triangular(&(a * belief.root()));
-        for noise in (b * process).column_iter() {
+        let LinearStep { map, noises, to } = LinearStep::new(motion, belief.mean(), process, input);
+        let mut spread = root::triangular(&(map * belief.root()));
+        for noise in noises.column_iter() {
             root::add(&mut spread, noise.into_owned());
         }
-        Gaussian::checked(motion.transition(belief.mean(), input, &SVector::zeros()), spread)
+        Gaussian::checked(to, spread)
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::chart::Chart;
-use super::ekf::Ekf;
+use super::ekf::{Ekf, LinearStep};
 use super::gaussian::Gaussian;
 use super::innovation::Joint;
 use super::model::{Motion, SmoothMotion, SmoothSensor};
@@ -132,15 +132,14 @@ where
         Motion::<C, N, W>::check(&self.model)?;
         self.model.check_input(input)?;
         let from = *self.belief.mean();
-        let (a, b) = self.model.motion_jacobians(&from, input);
+        let LinearStep { map, noises, to } = LinearStep::new(&self.model, &from, &self.process, input);
         let mut joint = Joint::<N, N>::new();
         for x in self.belief.root().column_iter() {
-            joint.add(a * x, x.into_owned());
+            joint.add(map * x, x.into_owned());
         }
-        for noise in (b * self.process).column_iter() {
+        for noise in noises.column_iter() {
             joint.add(noise.into_owned(), SVector::zeros());
         }
-        let to = self.model.transition(&from, input, &SVector::zeros());
         self.belief = Gaussian::checked(to, *joint.outputs())?;
         track.passes.push(Pass { from, to, joint });
         Ok(())

@@ -1,22 +1,19 @@
 //! [`Vh`]: the direct polytopic filter of paper 004, on vertices.
 
-use std::borrow::Cow;
-
-use nonlin_bounds::{
-    BoundError, Expansion, PolytopicCut, RangeMethod, Workspace, polytopic_image_with_noise, polytopic_strips, range,
-};
+use nonlin_bounds::Workspace;
 use scalars::Interval;
-use scalars::rounding::sub_down;
-use setrep::{Matrix, SetError, VPolytope};
+use setrep::VPolytope;
 
+use self::steps::{advance, advance_hull, cut, few_vertices, is_over_budget, settle};
 use super::forms::materialized;
-use super::noise::beside;
 use crate::error::check_size;
-use crate::set_filter::{Equation, inconsistent};
-use crate::{Culprit, EstimatorError, Evidence, FilterState, Measured, Method, Phase, SetFilter, System};
+use crate::set_filter::Equation;
+use crate::{Culprit, EstimatorError, FilterState, Measured, Method, Phase, SetFilter, System};
 
-/// New vertices that lie in the hull of the others up to this share of the set's extents are dropped.
-const THIN: f64 = 1e-10;
+mod options;
+mod steps;
+
+pub use options::{VhCenter, VhOptions};
 
 /// Guaranteed state estimation with polytopes in vertex form (V-H).
 ///
@@ -27,7 +24,7 @@ const THIN: f64 = 1e-10;
 ///   the space of the outputs, a projection and one more conversion. The invariant joins every update.
 /// - **Vertex budget.** A set with more vertices than [`VhOptions::vertices`] is enclosed by [`VPolytope::enclosed_within`]: half-spaces
 ///   among its own facets and principal directions, as many as can meet in so many points. A set with too many vertices for a step is
-///   enclosed in one with a quarter of the budget before; at worst a prediction is the box of [`range()`], and an update leaves the set.
+///   enclosed in one with a quarter of the budget before; at worst a prediction is the box of [`range()`](nonlin_bounds::range()), and an update leaves the set.
 ///
 /// Rounding goes to the remainder of the set, and from there into its hull as soon as that has an interior
 /// ([`VPolytope::absorb_remainder`]). A noise that mixes its components is listed by its vertices if these are few; else its hull is taken.
@@ -62,57 +59,6 @@ pub type Vh = SetFilter<VertexPolytopes>;
 /// The [`Method`] of [`Vh`].
 #[derive(Debug, Clone, Copy)]
 pub struct VertexPolytopes;
-
-/// What a [`Vh`] filter may spend. The options affect tightness and time, never validity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct VhOptions {
-    /// Most vertices of a set after a call, at least the `2^n` of a box.
-    pub vertices: usize,
-    /// Most passes of an update, each with the Jacobian over the hull that the last one has left.
-    pub passes: usize,
-    /// Passes end when no side of the hull has shrunk by this share.
-    pub least_shrink: f64,
-    /// Cut the prediction with the range of the dynamics by [`RangeMethod::Tight`].
-    pub tight_range: bool,
-    /// The points about which functions are expanded.
-    pub center: VhCenter,
-}
-
-/// The point of a set about which a [`Vh`] filter expands functions; any point is valid.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum VhCenter {
-    /// The mean of the vertices, which lies inside of the set as paper 004 asks.
-    #[default]
-    VertexMean,
-    /// The middle of the interval hull, which makes `|v - x_0|` least coordinate by coordinate; [`WidthBound::Centered`](crate::WidthBound::Centered)
-    /// is for it.
-    HullCenter,
-}
-
-impl VhCenter {
-    fn expansion(self) -> Expansion<'static> {
-        match self {
-            Self::VertexMean => Expansion::SetCenter,
-            Self::HullCenter => Expansion::HullCenter,
-        }
-    }
-}
-
-impl VhOptions {
-    /// As in paper 004: one pass. At most 64 vertices, where the paper has no limit.
-    #[must_use]
-    pub fn paper() -> Self {
-        Self { vertices: 64, passes: 1, least_shrink: 0.02, tight_range: false, center: VhCenter::VertexMean }
-    }
-
-    /// Up to three passes, and the tight range.
-    #[must_use]
-    pub fn tight() -> Self {
-        Self { passes: 3, tight_range: true, ..Self::paper() }
-    }
-}
 
 /// Buffers of a [`Vh`] filter.
 #[derive(Debug, Default, Clone)]
@@ -206,138 +152,4 @@ impl Method for VertexPolytopes {
     ) -> Result<(), EstimatorError> {
         settle(state, options, scratch, &mut |_| {})
     }
-}
-
-/// Whether a set had too many vertices for a step.
-fn is_over_budget(error: &EstimatorError) -> bool {
-    matches!(
-        error,
-        EstimatorError::Bound(BoundError::Set(SetError::OverBudget { .. }))
-            | EstimatorError::Set(SetError::OverBudget { .. })
-    )
-}
-
-/// Moves the hull of a state on, as a box.
-fn advance_hull(
-    system: &System,
-    input: &[Interval],
-    state: &mut State,
-    scratch: &mut VhScratch,
-) -> Result<(), EstimatorError> {
-    let f = system.dynamics().function();
-    let noise = system.process_noise().interval_hull();
-    let domain: Vec<Interval> = state.hull.iter().chain(noise.iter()).copied().collect();
-    let mut sides = vec![Interval::ENTIRE; f.outputs()];
-    range(f, &domain, input, RangeMethod::Tight, &mut scratch.bounds, &mut sides)?;
-    state.set = VPolytope::from_intervals(&sides)?;
-    Ok(())
-}
-
-/// Moves the set of a state on.
-fn advance(
-    system: &System,
-    options: &VhOptions,
-    input: &[Interval],
-    state: &mut State,
-    scratch: &mut VhScratch,
-) -> Result<(), EstimatorError> {
-    let VhScratch { bounds, noises, sides, .. } = scratch;
-    let f = system.dynamics().function();
-    let set = beside(&state.set, system.process_noise(), noises)?;
-    let mut image = polytopic_image_with_noise(f, &set, noises, options.center.expansion(), input, bounds)?;
-    if options.tight_range {
-        let domain: Vec<Interval> = set.interval_hull().iter().chain(noises.iter()).copied().collect();
-        sides.clear();
-        sides.resize(f.outputs(), Interval::ENTIRE);
-        range(f, &domain, input, RangeMethod::Tight, bounds, sides)?;
-        image = within(image, sides).map_err(|error| match error {
-            SetError::EmptySet => inconsistent(state.step, vec![], Evidence::Propagation { hull: state.hull.clone() }),
-            error => error.into(),
-        })?;
-    }
-    state.set = image;
-    Ok(())
-}
-
-/// A superset of the set whose vertices leave room for the corners that a step puts around each.
-fn few_vertices(state: &State, options: &VhOptions, scratch: &mut VhScratch) -> Result<VPolytope, EstimatorError> {
-    let corners = 1_usize.checked_shl(u32::try_from(state.hull.len()).unwrap_or(u32::MAX)).unwrap_or(usize::MAX);
-    let few = (options.vertices / 4).max(corners);
-    Ok(state.set.enclosed_within(few, &mut scratch.bounds.sets)?)
-}
-
-/// Cuts a state; where its vertices are too many for that it is enclosed in a smaller one first, and stays at worst as it is.
-fn cut(
-    equation: &Equation<'_>,
-    options: &VhOptions,
-    state: &mut State,
-    scratch: &mut VhScratch,
-) -> Result<(), EstimatorError> {
-    let mut result = try_cut(equation, options, state, scratch);
-    if result.as_ref().is_err_and(is_over_budget) {
-        state.set = few_vertices(state, options, scratch)?;
-        result = try_cut(equation, options, state, scratch);
-    }
-    if result.as_ref().is_err_and(is_over_budget) { Ok(()) } else { result }
-}
-
-fn try_cut(
-    equation: &Equation<'_>,
-    options: &VhOptions,
-    state: &mut State,
-    scratch: &mut VhScratch,
-) -> Result<(), EstimatorError> {
-    let VhScratch { bounds, noises, culprits, .. } = scratch;
-    noises.clear();
-    let set = match equation.noise {
-        Some(noise) => beside(&state.set, noise, noises)?,
-        None => Cow::Borrowed(&state.set),
-    };
-    let (g, n, values) = (equation.relation.function(), state.hull.len(), equation.values);
-    let center = options.center.expansion();
-    match polytopic_strips(g, (&set, noises), values, center, equation.parameters, bounds)? {
-        PolytopicCut::Left(solution) if solution.dim() > n => {
-            let mut states = Matrix::zeros(n, solution.dim());
-            (0..n).for_each(|k| states[(k, k)] = 1.0);
-            state.set = solution.linear_map(&states)?.thinned(THIN);
-        }
-        PolytopicCut::Left(solution) => state.set = solution,
-        PolytopicCut::ProvenEmpty { output, reach } => {
-            culprits.extend((0..=output).map(equation.culprit));
-            let evidence = Evidence::Disjoint { predicted: reach, required: values[output] };
-            return Err(inconsistent(state.step, core::mem::take(culprits), evidence));
-        }
-    }
-    culprits.extend(equation.culprits(None));
-    Ok(())
-}
-
-/// The part of a set in a box.
-fn within(mut set: VPolytope, sides: &[Interval]) -> Result<VPolytope, SetError> {
-    for (k, side) in sides.iter().enumerate() {
-        for (sign, bound) in [(1.0, side.hi()), (-1.0, -side.lo())] {
-            let reach = set.remainder()[k];
-            let values: Vec<f64> = set.vertices().columns().map(|v| sub_down(sign * v[k], reach)).collect();
-            if bound.is_finite() && values.iter().any(|&value| value > bound) {
-                set = set.cut_by_values(&values, bound, THIN)?;
-            }
-        }
-    }
-    Ok(set)
-}
-
-/// Bounds the number of vertices, takes the remainder into the hull, and finds the interval hull.
-fn settle(
-    state: &mut State,
-    options: &VhOptions,
-    scratch: &mut VhScratch,
-    trace: &mut dyn FnMut(Phase),
-) -> Result<(), EstimatorError> {
-    if state.set.num_vertices() > options.vertices {
-        state.set = state.set.enclosed_within(options.vertices, &mut scratch.bounds.sets)?;
-        trace(Phase::Reduction);
-    }
-    state.set = state.set.absorb_remainder();
-    state.hull.copy_from_slice(&state.set.interval_hull());
-    Ok(())
 }

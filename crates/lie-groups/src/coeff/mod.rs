@@ -11,6 +11,7 @@ mod space;
 mod space_float;
 mod space_interval;
 mod space_scaled;
+mod spin_offset;
 mod spin_set;
 
 use std::fmt::Debug;

@@ -12,6 +12,7 @@
 use super::even::Even;
 use super::float::TERMS;
 use super::{ScaledMaps, SpaceCoeff, space_scaled};
+use crate::triples::{conjugate, cross, quaternion_product, squared};
 use crate::{Coeff, GroupError};
 
 /// `(-1)^m w_m / (2m + 5)!` with `w_m = (2m + 2)(2m + 4)` or `2m + 2`: the series of `K` and `L`.
@@ -72,34 +73,12 @@ fn bc_of(half: &Even) -> [f64; 2] {
     [0.5 * q * q, 0.25 * (gap + q * (gap + bessel))]
 }
 
-#[inline]
-fn squared(w: [f64; 3]) -> f64 {
-    w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
-}
-
-#[inline]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 /// `v + 2 q_w (q x v) + 2 q x (q x v)`.
 #[inline]
 fn turned(real: f64, vector: [f64; 3], v: [f64; 3]) -> [f64; 3] {
     let double = cross(vector, v).map(|x| 2.0 * x);
     let twice = cross(vector, double);
     std::array::from_fn(|k| v[k] + real * double[k] + twice[k])
-}
-
-/// Product of quaternions.
-#[inline]
-fn multiply(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
-    let ([aw, ax, ay, az], [bw, bx, by, bz]) = (*a, *b);
-    [
-        aw * bw - ax * bx - ay * by - az * bz,
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-    ]
 }
 
 /// `q` brought back to length 1 to first order.
@@ -136,7 +115,7 @@ impl SpaceCoeff for f64 {
 
     #[inline]
     fn spin_bc(w: [f64; 3]) -> ([f64; 4], [f64; 2]) {
-        let half = half(squared(w));
+        let half = half(squared(&w));
         let k = 0.5 * half.q;
         ([half.cos, k * w[0], k * w[1], k * w[2]], bc_of(&half))
     }
@@ -144,7 +123,7 @@ impl SpaceCoeff for f64 {
     #[inline]
     fn spin_log(spin: &[f64; 4]) -> Result<([f64; 3], f64), GroupError> {
         let [real, x, y, z] = *spin;
-        let sine = squared([x, y, z]).sqrt();
+        let sine = squared(&[x, y, z]).sqrt();
         if !(real.abs() + sine).is_finite() {
             return Err(GroupError::NotFinite { index: 0 });
         }
@@ -158,13 +137,12 @@ impl SpaceCoeff for f64 {
 
     #[inline]
     fn spin_product(a: &[f64; 4], b: &[f64; 4]) -> [f64; 4] {
-        near_unit(multiply(a, b))
+        near_unit(quaternion_product(a, b))
     }
 
     #[inline]
     fn spin_reverse(spin: &[f64; 4]) -> [f64; 4] {
-        let [w, x, y, z] = *spin;
-        [w, -x, -y, -z]
+        conjugate(spin)
     }
 
     #[inline]

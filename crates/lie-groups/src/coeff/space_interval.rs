@@ -2,8 +2,9 @@
 
 use scalars::{Interval, Scalar};
 
-use super::spin_set::{self, SpinSet};
+use super::spin_set::SpinSet;
 use super::{ScaledMaps, SpaceCoeff, space_scaled};
+use crate::triples::{apply, squared, transposed};
 use crate::{Coeff, GroupError};
 
 /// `e = J / (4 q)` and `eta = (J^2 / q^2 - K / q) / 16` at one squared angle.
@@ -43,12 +44,12 @@ impl SpaceCoeff for Interval {
     }
 
     fn spin_bc(w: [Interval; 3]) -> (SpinSet, [Interval; 2]) {
-        (SpinSet::exp(w), Self::bc(spin_set::squared(w)))
+        (SpinSet::exp(w), Self::bc(squared(&w)))
     }
 
     fn spin_log(spin: &SpinSet) -> Result<([Interval; 3], Interval), GroupError> {
         let w = spin.log()?;
-        let [e, _] = Self::e_slope(spin_set::squared(w))?;
+        let [e, _] = Self::e_slope(squared(&w))?;
         Ok((w, e))
     }
 
@@ -65,11 +66,11 @@ impl SpaceCoeff for Interval {
     }
 
     fn spin_act(spin: &SpinSet, v: [Interval; 3]) -> [Interval; 3] {
-        spin_set::apply(&spin.matrix(), v)
+        apply(&spin.matrix(), v)
     }
 
     fn spin_act_inv(spin: &SpinSet, v: [Interval; 3]) -> [Interval; 3] {
-        spin_set::apply(&spin_set::transposed(&spin.matrix()), v)
+        apply(&transposed(&spin.matrix()), v)
     }
 
     fn spin_quaternion(spin: &SpinSet) -> [Interval; 4] {

@@ -4,6 +4,8 @@ use scalars::{Interval, Scalar};
 
 use super::SpaceCoeff;
 use super::space_float::quaternion_of;
+use super::spin_offset::{Offset, bend, length};
+use crate::triples::{Rows, add, apply, conjugate, cross, quaternion_product, squared, transposed};
 use crate::{Coeff, GroupError};
 
 /// The rotations `exp(d) R_0` with `d` in a box and of length at most a radius.
@@ -23,36 +25,7 @@ pub struct SpinSet {
     radius: f64,
 }
 
-type Matrix = [[Interval; 3]; 3];
-
-/// Just above `pi`.
-const ALL: f64 = 3.141_592_653_589_794;
-
-/// `|w|^2`.
-pub(super) fn squared(w: [Interval; 3]) -> Interval {
-    w[0].sqr() + w[1].sqr() + w[2].sqr()
-}
-
-pub(super) fn transposed(m: &Matrix) -> Matrix {
-    std::array::from_fn(|row| std::array::from_fn(|col| m[col][row]))
-}
-
-pub(super) fn apply(m: &Matrix, v: [Interval; 3]) -> [Interval; 3] {
-    m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
-}
-
-fn add(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
-    std::array::from_fn(|k| a[k] + b[k])
-}
-
-/// Upper bound of the length of the vectors in a box.
-fn length(v: [Interval; 3]) -> f64 {
-    squared(v.map(|x| Interval::point(x.mag()))).sqrt().hi()
-}
-
-fn cross(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
+type Matrix = Rows<Interval>;
 
 /// `v + f w x v + g w x (w x v)`, the factors and `w` intervals.
 fn rodrigues(w: [Interval; 3], [f, g]: [Interval; 2], v: [Interval; 3]) -> [Interval; 3] {
@@ -61,100 +34,16 @@ fn rodrigues(w: [Interval; 3], [f, g]: [Interval; 2], v: [Interval; 3]) -> [Inte
     std::array::from_fn(|k| v[k] + f * once[k] + g * twice[k])
 }
 
-fn quaternion_product(a: &[Interval; 4], b: &[Interval; 4]) -> [Interval; 4] {
-    let ([aw, ax, ay, az], [bw, bx, by, bz]) = (*a, *b);
-    [
-        aw * bw - ax * bx - ay * by - az * bz,
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-    ]
-}
-
 fn points(q: &[f64; 4]) -> [Interval; 4] {
     q.map(Interval::point)
-}
-
-fn conjugate(q: &[f64; 4]) -> [f64; 4] {
-    let [w, x, y, z] = *q;
-    [w, -x, -y, -z]
 }
 
 /// Unit quaternion of the exact rotation by `w`.
 fn exact_quaternion(w: [f64; 3]) -> [Interval; 4] {
     let w = w.map(Interval::point);
-    let quarter = squared(w).scale(0.25);
+    let quarter = squared(&w).scale(0.25);
     let (cos, half_sinc) = (quarter.stumpff(0), quarter.stumpff(1).scale(0.5));
     [cos, half_sinc * w[0], half_sinc * w[1], half_sinc * w[2]]
-}
-
-/// Rotation vectors with the length bound, as offsets of a set.
-#[derive(Clone, Copy)]
-struct Offset {
-    vector: [Interval; 3],
-    radius: f64,
-}
-
-impl Offset {
-    /// All rotations.
-    fn any() -> Self {
-        Self { vector: [Interval::lit(-ALL, ALL); 3], radius: ALL }
-    }
-
-    /// No rotation.
-    fn none() -> Self {
-        Self { vector: [Interval::EMPTY; 3], radius: 0.0 }
-    }
-
-    /// The box cut to the ball and the ball to the box.
-    fn new(vector: [Interval; 3], radius: f64) -> Self {
-        if vector.iter().any(Interval::is_empty) {
-            return Self::none();
-        }
-        let radius = radius.min(length(vector));
-        if radius >= std::f64::consts::PI {
-            return Self::any();
-        }
-        let ball = Interval::lit(-radius, radius);
-        let vector = vector.map(|x| x.intersection(ball));
-        Self { vector, radius }
-    }
-
-    /// The rotation vectors of quaternions (of any length) near the identity.
-    fn of_quaternion([real, x, y, z]: [Interval; 4]) -> Self {
-        if [real, x, y, z].iter().any(Interval::is_empty) {
-            return Self::none();
-        }
-        if real.lo() <= 0.0 {
-            return Self::any();
-        }
-        let tangent = [x / real, y / real, z / real];
-        let longest = Interval::point(length(tangent));
-        let angle = longest.atan();
-        // atan(n) / n falls from 1.
-        let factor = if longest == Interval::ZERO { Interval::ONE } else { (angle / longest).hull(Interval::ONE) };
-        let factor = factor.intersection(Interval::lit(0.0, 1.0));
-        Self::new(tangent.map(|v| (v * factor).scale(2.0)), angle.scale(2.0).hi())
-    }
-
-    /// `log(exp(a) exp(b))`: `a + b` up to the first commutator.
-    ///
-    /// `c(r) = log(exp(a) exp(r b))` has `dc/dr = Jr(c)^-1 b` and `|c| <= |a| + |b| = t`; there `|Jr^-1 - I| <= t/2 + t^2 e(t)`, `e(t) <= e(pi) = 1 / pi^2`.
-    /// The same with the roles of `a` and `b` exchanged.
-    fn then(self, b: Self) -> Self {
-        let sum = Interval::point(self.radius) + Interval::point(b.radius);
-        if sum.hi() >= std::f64::consts::PI {
-            return if self.vector[0].is_empty() || b.vector[0].is_empty() { Self::none() } else { Self::any() };
-        }
-        let bend = bend(sum) * Interval::point(self.radius.min(b.radius));
-        let vector = add(self.vector, b.vector).map(|x| x.inflate(bend.hi()));
-        Self::new(vector, sum.hi())
-    }
-}
-
-/// Bound of `|J^-1 - I|` for rotation vectors up to the length `t <= pi`.
-fn bend(t: Interval) -> Interval {
-    t.scale(0.5) + t.sqr() * Interval::lit(0.1013, 0.1014)
 }
 
 impl SpinSet {
@@ -208,7 +97,7 @@ impl SpinSet {
         let moved = if reach == 0.0 {
             Offset { vector: d, radius: 0.0 }
         } else if reach < std::f64::consts::PI {
-            let image = rodrigues(w, Interval::bc(squared(w)), d);
+            let image = rodrigues(w, Interval::bc(squared(&w)), d);
             let error = bend(Interval::point(reach)) * Interval::point(reach);
             Offset::new(image.map(|x| x.inflate(error.hi())), reach)
         } else {
@@ -229,16 +118,16 @@ impl SpinSet {
         let rounding = Offset::of_quaternion(quaternion_product(&stored, &[w, -x, -y, -z]));
         let total = self.offset().then(rounding);
         let start = start.map(Interval::point);
-        let longest = squared(start).sqrt() + Interval::point(total.radius);
+        let longest = squared(&start).sqrt() + Interval::point(total.radius);
         if longest.hi() >= std::f64::consts::PI {
-            let from = (squared(start).sqrt() - Interval::point(total.radius)).lo().max(0.0);
+            let from = (squared(&start).sqrt() - Interval::point(total.radius)).lo().max(0.0);
             return Err(GroupError::HalfTurn { theta_lo_rad: from, theta_hi_rad: longest.hi() });
         }
         // |Jl^-1| = (t/2) / sin(t/2) <= pi/2 on the way: a first box, then two steps of the integral over what is known.
         let ball = Interval::lit(-1.571 * total.radius, 1.571 * total.radius);
         let largest = Interval::lit(0.0, longest.hi()).sqr();
         let step = |way: [Interval; 3]| -> Result<[Interval; 3], GroupError> {
-            let [e, _] = Interval::e_slope(squared(way).intersection(largest))?;
+            let [e, _] = Interval::e_slope(squared(&way).intersection(largest))?;
             Ok(rodrigues(way, [Interval::point(-0.5), e], total.vector))
         };
         let first = step(start.map(|x| x + ball))?;
@@ -266,7 +155,7 @@ impl SpinSet {
         if self.radius == 0.0 && !self.offset[0].is_empty() {
             return middle;
         }
-        let x = squared(self.offset).intersection(Interval::point(self.radius).sqr().hull(Interval::ZERO));
+        let x = squared(&self.offset).intersection(Interval::point(self.radius).sqr().hull(Interval::ZERO));
         let factors = [x.stumpff(1), x.stumpff(2)];
         let unit = Interval::lit(-1.0, 1.0);
         let turned =
@@ -276,7 +165,7 @@ impl SpinSet {
 
     /// Unit quaternions of the members, of the sign of the stored one.
     pub(super) fn quaternion(&self) -> [Interval; 4] {
-        let x = squared(self.offset).intersection(Interval::point(self.radius).sqr().hull(Interval::ZERO)).scale(0.25);
+        let x = squared(&self.offset).intersection(Interval::point(self.radius).sqr().hull(Interval::ZERO)).scale(0.25);
         let half_sinc = x.stumpff(1).scale(0.5);
         let [dx, dy, dz] = self.offset.map(|d| half_sinc * d);
         let center = points(&self.center);

@@ -6,9 +6,10 @@ use lie_groups::{LieGroup, SO3, TfgScaleLever3};
 use nalgebra::{SVector, Vector3};
 
 use super::model::{Imperfect3, N, Parts, Plain3, Spatial, Step};
-use super::study::{ATTITUDE_DEG, Cell, End, HILLS, METHODS, SPREADS};
+use super::study::{ATTITUDE_DEG, Cell, End, HILLS, SPREADS};
 use crate::report::significant;
 use crate::wheel_lever::autonomy::{ESTIMATES, spread, vector};
+use crate::wheel_lever::filters::Method;
 use crate::{Report, Results, Row, ScenarioError, Table, monte_carlo};
 
 /// Name of the table of residuals.
@@ -71,7 +72,7 @@ pub fn residuals() -> Result<Vec<Row>, ScenarioError> {
 pub fn rows(cell: &Cell) -> Vec<Row> {
     let mut rows = Vec::new();
     let label = format!("X = ({}, {}, {})", cell.lever[0], cell.lever[1], cell.lever[2]);
-    for method in METHODS {
+    for method in Method::ALL {
         let ends = || cell.runs.iter().map(move |ends| &ends[method as usize]);
         let row = |metric: &str, unit: &str| Row::new(RUNS, label.clone(), method.name()).metric(metric, unit);
         let count = |is: fn(&End) -> bool| ends().filter(|end| is(end)).count() as f64;
@@ -99,7 +100,7 @@ pub fn report(results: &Results) -> Report {
         let value = rows.find(|row| row.metric_name() == metric).and_then(Row::get_value);
         value.map_or("-".to_owned(), |x| significant(x, 3))
     };
-    let of = |metric: &str| METHODS.map(|method| value(RUNS, method.name(), metric)).join(", ");
+    let of = |metric: &str| Method::ALL.map(|method| value(RUNS, method.name(), metric)).join(", ");
     let [heading, tilt] = ATTITUDE_DEG;
     let [(roll, roll_rate), (pitch, pitch_rate)] = HILLS;
     let [s, x, l] = SPREADS;

@@ -10,7 +10,6 @@ use rand::Rng;
 
 use super::model::{Imperfect3, N, Parts, Plain3, Space, Spatial, Step};
 use crate::noise::standard_normal;
-use crate::wheel_lever::filters::Method;
 use crate::wheel_lever::setting::{CIRCLE_S, PERIOD_S, RATE_RAD_S, SECONDS, SIGMAS, SPEED_M_S, STEPS_PER_FIX};
 use crate::wheel_lever::study::{CLOSE_DEG, ENVELOPE, SETTLED_S};
 use crate::{Context, ScenarioError, monte_carlo};
@@ -44,7 +43,7 @@ pub struct End {
 pub struct Cell {
     /// True lever arm, m.
     pub lever: [f64; 3],
-    /// Ends by run, then in the order of [`Method::ALL`].
+    /// Ends by run, then in the order of [`Method::ALL`](crate::wheel_lever::filters::Method::ALL).
     pub runs: Vec<[End; 3]>,
 }
 
@@ -80,9 +79,6 @@ pub fn cell(context: &Context<'_>, lever: [f64; 3], runs: usize) -> Result<Cell,
     })?;
     Ok(Cell { lever, runs })
 }
-
-/// The order of the ends of a run.
-pub const METHODS: [Method; 3] = Method::ALL;
 
 fn drive<R: Rng>(mut truth: Parts, rng: &mut R) -> Vec<Second> {
     let [gyro, wheels, fix_m] = SIGMAS;
