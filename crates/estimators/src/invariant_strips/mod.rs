@@ -27,6 +27,8 @@ pub use increment::PlanarIncrement;
 pub use measurement::PlanarMeasurement;
 pub use options::StripsOptions;
 pub use planar_box::PlanarBox;
+pub(crate) use planar_box::check_bounded;
+pub(crate) use tags::{Origin, Pruning, Tag};
 
 use arc::{Arc, Cap};
 use embedding::Embedding;
@@ -34,7 +36,6 @@ use pieces::Union;
 use plane::{Region, Vector, largest_modulus};
 use scalars::Interval;
 use setrep::BoxedRows;
-use tags::{Pruning, Tag};
 use transport::Motion;
 
 use crate::{Estimator, EstimatorError, Guarantee};

@@ -7,6 +7,7 @@ mod support;
 
 mod hulls;
 mod linear;
+mod spatial_strips;
 mod strips;
 mod strips_calibration;
 mod strips_groups;

@@ -1,6 +1,10 @@
 //! Steps in steady state allocate nothing.
 
-use estimators::{Estimator, Gain, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions};
+use estimators::{
+    Estimator, Gain, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, SpatialBox, SpatialIncrement,
+    SpatialMeasurement, SpatialStrips, StripsOptions,
+};
+use lie_groups::{LieGroup, SO3};
 use scalars::Interval;
 use setrep::Reduction;
 
@@ -71,4 +75,29 @@ fn steps_of_the_strips_allocate_nothing() {
         advance();
     }
     assert_quiet("strips", advance);
+}
+
+/// The same in space, a body at rest with two antennas and a vertical.
+#[test]
+fn steps_of_the_spatial_strips_allocate_nothing() {
+    let ball = |radius: f64| [Interval::new(-radius, radius).unwrap(); 3];
+    let options = StripsOptions { memory: 40, support_life: 40, ..StripsOptions::pose() };
+    let prior = SpatialBox::new(SO3::identity(), ball(0.2), &[ball(2.0)]);
+    let mut filter = SpatialStrips::new(&prior, options).unwrap();
+    let still = SpatialIncrement::odometry([0.0; 3], ball(0.0), ball(1e-3), ball(1e-2));
+    let arms = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let mut wave = (0..).map(|k| 0.08 * f64::from(k).sin());
+    let mut advance = || {
+        let mut noise = || [0; 3].map(|_| wave.next().unwrap());
+        let place = |arm: [f64; 3], off: [f64; 3]| core::array::from_fn(|k| arm[k] + off[k]);
+        let [first, second] = arms.map(|arm| SpatialMeasurement::vector(place(arm, noise()), ball(0.1)).with_arm(arm));
+        let down = SpatialMeasurement::direction(ball(0.0), noise(), ball(0.1));
+        filter.update(&[first, second, down]).unwrap();
+        filter.predict(&still).unwrap();
+    };
+    for _ in 0..150 {
+        advance();
+    }
+    let counted = allocation_counter::measure(|| (0..80).for_each(|_| advance()));
+    assert_eq!(counted.count_total, 0, "{counted:?}");
 }
