@@ -137,9 +137,7 @@ pub(super) fn slip(rotation: &SO3<Interval>) -> Result<f64, EstimatorError> {
 
 /// Encloses the rotation vectors of `exp(-c) exp(c + d)` over a box of `d`: `J_r(c) d` up to `0.113 |c| |d|^2`.
 ///
-/// The vector `g(t)` of `exp(-c) exp(c + t d)` has `g' = J_r(g)^-1 v`, `v = J_r(c + t d) d`. Now `|v'| <= |d| |c x d| / 6`, and `h = g x v`, which is 0 at
-/// first, grows by at most `(1/2 + e |g|) |v| |h| + |g| |v'|`, where `J_r(g)^-1 v = v + h/2 + e g x h`. For `|d| <= 1` that gives
-/// `|g(1) - v(0)| <= |v'| (1/2 + 0.585 e^0.585 / 6)`, below `0.113 |c| |d|^2`.
+/// The mirror image of what the page on these strips derives, (14) and (15) there, for `|d| <= 1`.
 /// Longer `d` are given all rotation vectors: every rotation has one no longer than `pi`.
 pub(super) fn rest(center: Vector, d: &Region) -> Result<Region, EstimatorError> {
     if center == [0.0; 3] {
