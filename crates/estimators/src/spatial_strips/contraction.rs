@@ -8,6 +8,7 @@ use super::cell::Cell;
 use super::derived::weighted;
 use super::space::{AXES, Region, matrix_of};
 use crate::EstimatorError;
+use crate::invariant_strips::Origin;
 
 /// Most passes over a cell, and the share of its sides that a pass must take off for another one.
 const PASSES: usize = 6;
@@ -119,8 +120,11 @@ impl SpatialStrips {
         let value = self.rows.support(&self.normal)?;
         self.emptied = value == f64::NEG_INFINITY;
         for &(i, _) in self.rows.active() {
-            self.tags[i].used = self.instant;
-            self.suspects.push(i);
+            let tag = &mut self.tags[i];
+            if tag.used != self.instant && tag.origin != Origin::Derived {
+                self.suspects.push(i);
+            }
+            tag.used = self.instant;
         }
         Ok(value)
     }
