@@ -8,6 +8,7 @@
 //! | [`Zsmf`] | `R^N`, any model with derivatives | zonotope around the estimate | first order |
 //! | [`InZsmf`] | a Lie group, left- or right-invariant error by type | image of a zonotope of tangent vectors | first order |
 //! | [`InvariantStrips`] | `SE(2)`, `SE_K(2)`, planar two-frame groups (lever arms, scale of the odometry) | polytope in the matrix embedding, past measurements as its rows | rigorous |
+//! | [`SpatialStrips`] | `SE(3)`, `SE_2(3)`, any `SE_K(3)` | the same in space | rigorous |
 //! | [`CzFilter`] | `R^n`, a [`System`] of functions written once, invariants | constrained zonotope: CZMV and CZFO of paper 003 | rigorous |
 //! | [`ZonotopeFilter`] | `R^n`, a [`System`] | zonotope: ZMV and ZFO of paper 003 | rigorous |
 //! | [`Zf`] | `R^n`, a [`System`] | zonotope: ZF of paper 001, linear systems included | rigorous |
@@ -68,6 +69,7 @@ mod rcz;
 #[cfg(feature = "serde")]
 mod remote;
 mod set_filter;
+mod spatial_strips;
 mod system;
 mod zonotopic;
 mod zsmf;
@@ -92,6 +94,7 @@ pub use rcz::{RangedCz, Rcz, RczMemory, RczOptions, RczState, Tier};
 pub use set_filter::{
     DelayedFilter, Fault, FaultPolicy, FilterState, Inflate, Measured, Method, Phase, Recovery, SetFilter,
 };
+pub use spatial_strips::{SpatialBox, SpatialIncrement, SpatialMeasurement, SpatialStrips};
 pub use system::{Invariant, Relation, System};
 pub use zonotopic::{
     LinearizedZf, StripForm, Zf, ZfMethod, ZfOptions, ZonotopeFilter, ZonotopeOptions, ZonotopicMethod,

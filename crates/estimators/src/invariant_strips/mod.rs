@@ -29,6 +29,8 @@ pub use increment::PlanarIncrement;
 pub use measurement::PlanarMeasurement;
 pub use options::StripsOptions;
 pub use planar_box::PlanarBox;
+pub(crate) use planar_box::check_bounded;
+pub(crate) use tags::{Origin, Pruning, Tag};
 
 use arc::{Arc, Cap};
 use embedding::Embedding;
@@ -37,7 +39,6 @@ use plane::{Region, Vector, largest_modulus};
 use scalars::Interval;
 use setrep::BoxedRows;
 use spans::Spans;
-use tags::{Pruning, Tag};
 use transport::Motion;
 
 use crate::{Estimator, EstimatorError, Guarantee};

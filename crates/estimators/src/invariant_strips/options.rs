@@ -45,7 +45,7 @@ impl StripsOptions {
         Self { memory: 40, bucket: 0, refresh: 1, aligned: true, support_life: 30, caps: 48, spans: 0 }
     }
 
-    pub(super) fn check(&self) -> Result<(), EstimatorError> {
+    pub(crate) fn check(&self) -> Result<(), EstimatorError> {
         if self.memory == 0 {
             return Err(EstimatorError::Size { what: "memory", expected: 1, found: 0 });
         }

@@ -124,7 +124,7 @@ impl PlanarBox {
 }
 
 /// `Ok` if all sides are nonempty and bounded.
-pub(super) fn check_bounded(what: &'static str, sides: &[Interval]) -> Result<(), EstimatorError> {
+pub(crate) fn check_bounded(what: &'static str, sides: &[Interval]) -> Result<(), EstimatorError> {
     for (index, side) in sides.iter().enumerate() {
         if side.is_empty() {
             return Err(EstimatorError::EmptyRange { what, index });

@@ -8,7 +8,7 @@ const IDLE: [u64; 2] = [8, 18];
 
 /// Where a row comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Origin {
+pub(crate) enum Origin {
     /// Entry `entry` (two for a measurement) of the measurements of a step.
     Measured { step: u64, entry: usize },
     /// A bound of the set at some instant, which rests on all rows of that time; or the prior.
@@ -19,14 +19,14 @@ pub(super) enum Origin {
 
 /// The companion of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Tag {
-    pub(super) origin: Origin,
+pub(crate) struct Tag {
+    pub(crate) origin: Origin,
     /// Rows of one class have the same direction in the coordinates of their time.
-    pub(super) class: usize,
+    pub(crate) class: usize,
     /// Instant at which the row was made.
-    pub(super) born: u64,
+    pub(crate) born: u64,
     /// Last instant at which it carried a bound.
-    pub(super) used: u64,
+    pub(crate) used: u64,
 }
 
 /// The row of a class and bucket with the least slack.
@@ -38,10 +38,10 @@ struct Least {
 
 /// Scratch of the choice.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Pruning {
+pub(crate) struct Pruning {
     least: Vec<Least>,
     /// The rows to keep.
-    pub(super) keep: Vec<bool>,
+    pub(crate) keep: Vec<bool>,
 }
 
 impl Pruning {
@@ -49,7 +49,7 @@ impl Pruning {
     ///
     /// A row stays while it is young enough and was used at this instant, belongs to the bucket of this instant, or has the least slack of
     /// its class and bucket (the oldest of equal ones); without buckets, while it is young enough and was used lately. Any choice is sound.
-    pub(super) fn choose(
+    pub(crate) fn choose(
         &mut self,
         tags: &[Tag],
         instant: u64,

@@ -8,6 +8,7 @@ mod support;
 mod hard_truth;
 mod hulls;
 mod linear;
+mod spatial_strips;
 mod strips;
 mod strips_calibration;
 mod strips_extremes;

@@ -1,6 +1,11 @@
 //! Steps in steady state allocate nothing.
 
-use estimators::{Estimator, Gain, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, StripsOptions};
+use estimators::{
+    Estimator, Gain, InvariantStrips, PlanarBox, PlanarIncrement, PlanarMeasurement, SpatialBox, SpatialIncrement,
+    SpatialMeasurement, SpatialStrips, StripsOptions,
+};
+use lie_groups::{LieGroup, SO3};
+use nalgebra::Vector3;
 use scalars::Interval;
 use setrep::Reduction;
 
@@ -75,4 +80,33 @@ fn steps_of_the_strips_allocate_nothing() {
         advance();
     }
     assert_quiet("strips", advance);
+}
+
+/// The same in space, two antennas and a vertical.
+#[test]
+fn steps_of_the_spatial_strips_allocate_nothing() {
+    let ball = |radius: f64| [Interval::new(-radius, radius).unwrap(); 3];
+    let options = StripsOptions { memory: 20, support_life: 20, bucket: 5, ..StripsOptions::pose() };
+    let prior = SpatialBox::new(SO3::identity(), ball(0.2), &[ball(2.0)]);
+    let mut filter = SpatialStrips::new(&prior, options).unwrap();
+    let (turn, shift, gravity) = ([0.01, 0.02, 0.05], [0.3, 0.0, 0.0], [0.0, 0.0, -9.81]);
+    let step = SpatialIncrement::odometry(turn, shift.map(Interval::point), ball(1e-3), ball(5e-3));
+    let (mut attitude, mut position) = (SO3::<f64>::identity(), Vector3::zeros());
+    let mut wave = (0..).map(|k| 0.08 * f64::from(k).sin());
+    let mut advance = || {
+        let mut noise = || Vector3::from_fn(|_, _| wave.next().unwrap());
+        let [first, second] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|arm| {
+            let place = position + attitude.act(&Vector3::from(arm)) + noise();
+            SpatialMeasurement::vector(place.into(), ball(0.1)).with_arm(arm)
+        });
+        let seen = attitude.inverse().act(&Vector3::from(gravity)) + noise();
+        let down = SpatialMeasurement::direction(gravity.map(Interval::point), seen.into(), ball(0.1));
+        filter.update(&[first, second, down]).unwrap();
+        filter.predict(&step).unwrap();
+        position += attitude.act(&Vector3::from(shift));
+        attitude = attitude.compose(&SO3::exp(&Vector3::from(turn)));
+    };
+    let mut window = || allocation_counter::measure(|| (0..40).for_each(|_| advance())).count_total;
+    let counts: Vec<u64> = (0..7).map(|_| window()).collect();
+    assert_eq!(counts[5..], [0, 0], "{counts:?}");
 }

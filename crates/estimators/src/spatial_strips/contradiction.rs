@@ -1,0 +1,62 @@
+//! Contradictions, and the measurements that make them.
+
+use scalars::Interval;
+
+use super::SpatialStrips;
+use crate::invariant_strips::Origin;
+use crate::{Culprit, EstimatorError, Evidence, Guarantee, Inconsistency};
+
+impl SpatialStrips {
+    /// What a row stands for.
+    fn culprit(&self, row: usize) -> Culprit {
+        match self.tags[row].origin {
+            Origin::Measured { step, entry } if step == self.step && self.tags[row].born == self.instant => {
+                Culprit::Measurement(entry)
+            }
+            Origin::Measured { step, entry } => Culprit::Earlier { step, entry },
+            Origin::Bound | Origin::Derived => Culprit::Prediction,
+        }
+    }
+
+    /// The last program left nothing of a cell, whose rows are those from `rows` on: an error if it is the only one.
+    pub(super) fn refuted(&mut self, rows: usize) -> Result<(), EstimatorError> {
+        if self.cells.len() > 1 {
+            self.keep(rows);
+            return Ok(());
+        }
+        match self.rows.contradiction().filter(|_| self.emptied) {
+            Some(proof) => {
+                let culprits = proof.rows().iter().map(|&i| self.culprit(i)).collect();
+                Err(self.inconsistent(culprits, Evidence::HalfSpaces { proof: Box::new(proof.clone()) }))
+            }
+            None => Err(self.no_cell()),
+        }
+    }
+
+    /// No cell is possible.
+    pub(super) fn no_cell(&self) -> EstimatorError {
+        self.contradiction(Evidence::Propagation { hull: self.enclosure.vectors.as_flattened().to_vec() })
+    }
+
+    /// The error of two enclosures of one quantity that are disjoint.
+    pub(super) fn disjoint(&self, predicted: Interval, required: Interval) -> EstimatorError {
+        self.contradiction(Evidence::Disjoint { predicted, required })
+    }
+
+    /// The error with the rows that carry the bounds of this contraction as culprits, beside the prediction.
+    fn contradiction(&self, evidence: Evidence) -> EstimatorError {
+        // Derived rows, the last ones, may be gone: they stand for the prediction.
+        let rows = self.suspects.iter().filter(|&&i| i < self.tags.len());
+        let mut culprits: Vec<Culprit> = rows.map(|&i| self.culprit(i)).collect();
+        culprits.push(Culprit::Prediction);
+        self.inconsistent(culprits, evidence)
+    }
+
+    /// The error with these culprits, in order.
+    fn inconsistent(&self, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
+        culprits.sort_unstable();
+        culprits.dedup();
+        let guarantee = Guarantee::Rigorous;
+        EstimatorError::Inconsistent(Box::new(Inconsistency { step: self.step, culprits, evidence, guarantee }))
+    }
+}
