@@ -33,7 +33,7 @@ pub(super) struct Cell {
 impl Cell {
     /// The corrections `exp(r)`.
     pub(super) fn new(turn: &Region) -> Self {
-        let known = turn.iter().all(|side| side.is_bounded()) && largest_length(turn) < super::space::LONGEST;
+        let known = turn.iter().all(Interval::is_bounded) && largest_length(turn) < super::space::LONGEST;
         Self { center: SO3::identity(), turn: if known { *turn } else { any_turn() } }
     }
 

@@ -141,7 +141,7 @@ impl SpatialStrips {
         self.middle.clear();
         self.middle.extend(z.as_flattened());
         let n = self.frame.vectors();
-        let exact = z.map(|row| point(row));
+        let exact = z.map(point);
         let frame = &self.frame;
         for i in 0..n {
             let mut q: Vector = [0.0; 3];

@@ -144,7 +144,7 @@ pub(super) fn rest(center: Vector, d: &Region) -> Result<Region, EstimatorError>
         return Ok(*d);
     }
     let reach = largest_length(d);
-    if !(reach <= 1.0) {
+    if reach.is_nan() || reach > 1.0 {
         return Ok(any_turn());
     }
     let slope = block(&SO3::jr(&vector(&point(center))));
@@ -184,7 +184,8 @@ pub(super) fn turned_before(y: &Region, x: Vector) -> Result<Option<Region>, Est
 pub(super) fn turned_on(turn: &Region, d: &Region) -> Result<Option<Region>, EstimatorError> {
     let reach = mul_up(2.0, largest_length(d));
     let way = turn.map(|side| side.inflate(reach));
-    if !(largest_length(&way) < LONGEST) {
+    let longest = largest_length(&way);
+    if longest.is_nan() || longest >= LONGEST {
         return Ok(None);
     }
     let slope = block(&SO3::jr_inv(&vector(&way))?);

@@ -37,8 +37,8 @@ use crate::invariant_strips::check_bounded;
 const SLACK: f64 = 1.0 + 1e-13;
 
 /// Just above `1 / sqrt 2` and `sqrt 2`.
-const SQUARE: f64 = 0.707_107;
-const CHORD: f64 = 1.414_214;
+const SQUARE: f64 = 0.7072;
+const CHORD: f64 = 1.4143;
 
 /// What a cell adds to the rows: its attitudes, as seen by the noises.
 #[derive(Debug, Clone, Copy)]
