@@ -35,6 +35,8 @@ struct Past {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Spans {
     past: VecDeque<Past>,
+    /// How many of them, from the latest on, are in the coordinates of today.
+    known: usize,
     drifts: Vec<Drift>,
 }
 
@@ -52,7 +54,8 @@ impl Spans {
 
     /// Forgets all steps: the coordinates have changed.
     pub(super) fn clear(&mut self) {
-        self.past.clear();
+        self.known = 0;
+        self.past.iter_mut().for_each(|past| past.offsets.clear());
     }
 }
 
@@ -80,6 +83,7 @@ impl InvariantStrips {
         entry.offsets.clear();
         entry.offsets.extend_from_slice(self.rows.offsets());
         past.push_back(entry);
+        self.spans.known = (self.spans.known + 1).min(most);
     }
 
     /// Takes a bound on the motion of the last `steps` predictions as one: `motion` is what they amount to, with the range of its own noise.
@@ -97,11 +101,11 @@ impl InvariantStrips {
     /// As for `predict`; the set is unchanged then.
     pub fn bound_span(&mut self, steps: usize, motion: &PlanarIncrement) -> Result<bool, EstimatorError> {
         motion.check(self.enclosure.fixed.len())?;
-        let Self { spans: Spans { past, drifts }, .. } = self;
-        let Some(start) = steps.checked_sub(1).and_then(|back| past.len().checked_sub(back + 1)) else {
+        if steps == 0 || steps > self.spans.known {
             return Ok(false);
-        };
-        let start = &past[start];
+        }
+        let Self { spans: Spans { past, drifts, .. }, .. } = self;
+        let start = &past[past.len() - steps];
 
         let turn = motion.turn + motion.turn_noise;
         let alpha = turn - (Interval::point(self.reference) - Interval::point(start.reference));

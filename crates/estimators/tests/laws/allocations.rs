@@ -52,8 +52,11 @@ fn placed_poles_are_kept() {
 fn steps_of_the_strips_allocate_nothing() {
     let symmetric = |radius: f64| Interval::new(-radius, radius).unwrap();
     let prior = PlanarBox::se2(Interval::ENTIRE, [symmetric(5.0); 2]);
-    let mut filter = InvariantStrips::new(&prior, StripsOptions::pose()).unwrap();
+    let mut filter = InvariantStrips::new(&prior, StripsOptions { spans: 5, ..StripsOptions::pose() }).unwrap();
     let step = PlanarIncrement::exponential([0.004, 0.08, 0.0].map(Interval::point), [symmetric(1e-3); 3]);
+    // Looser than five steps are.
+    let five = [0.02, 0.4, 0.0].map(Interval::point);
+    let five = PlanarIncrement::exponential(five, [symmetric(6e-3); 3]);
     let mut truth = Truth::new(3);
     let ys: Vec<_> = (0..1600)
         .map(|_| {
@@ -65,6 +68,7 @@ fn steps_of_the_strips_allocate_nothing() {
     let mut advance = || {
         let y = next.next().unwrap();
         filter.predict(&step).unwrap();
+        filter.bound_span(5, &five).unwrap();
         filter.update(&[PlanarMeasurement::position([y[0], y[1]], [symmetric(1.0); 2])]).unwrap();
     };
     for _ in 0..500 {
