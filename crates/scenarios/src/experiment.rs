@@ -88,6 +88,12 @@ impl Context<'_> {
         self.runs.unwrap_or(if self.quick { quick } else { full }).max(1)
     }
 
+    /// How often a run is timed, of which the fastest counts: once in quick mode.
+    #[must_use]
+    pub fn repetitions(&self, full: usize) -> usize {
+        if self.quick { 1 } else { full }
+    }
+
     /// Passes a sign of life on.
     pub fn report(&self, progress: Progress<'_>) {
         (self.progress)(progress);

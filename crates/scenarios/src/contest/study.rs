@@ -117,7 +117,7 @@ pub fn timings<A: Arena<N, M>, const N: usize, const M: usize>(
     let mut first = f64::NAN;
     for contender in contenders {
         let mut ns = f64::INFINITY;
-        for _ in 0..TIMING_REPETITIONS {
+        for _ in 0..context.repetitions(TIMING_REPETITIONS) {
             let mut filter = arena.start(contender.kind)?;
             let start = Instant::now();
             for y in &truth.outputs {

@@ -129,7 +129,7 @@ fn timings(context: &Context<'_>, contenders: &[Contender]) -> Result<Vec<Row>, 
         let plain = |method: &str| ["zsmf", "inzsmf"].contains(&method);
         let placed = |method: &str| case == TABLE_II_CASE && method.ends_with("/pole");
         for contender in contenders.iter().filter(|c| plain(&c.method) || placed(&c.method)) {
-            times.push((case, contender, study::step_time_s(&truth, contender, case)?));
+            times.push((case, contender, study::step_time_s(context, &truth, contender, case)?));
         }
     }
     Ok(tables::timings(&times))

@@ -88,9 +88,14 @@ pub fn find<'a>(cells: &'a [Cell], case: usize, method: &str, mode: Mode) -> Opt
 ///
 /// # Errors
 /// Those of the filter.
-pub fn step_time_s(truth: &Truth, contender: &Contender, case: usize) -> Result<f64, ScenarioError> {
+pub fn step_time_s(
+    context: &Context<'_>,
+    truth: &Truth,
+    contender: &Contender,
+    case: usize,
+) -> Result<f64, ScenarioError> {
     let mut fastest = f64::INFINITY;
-    for _ in 0..TIMING_REPETITIONS {
+    for _ in 0..context.repetitions(TIMING_REPETITIONS) {
         let mut tracker = contender.start(TABLE_I[case].pose)?;
         let start = Instant::now();
         metrics_of(truth, &mut *tracker)?;
