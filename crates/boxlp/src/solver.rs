@@ -101,7 +101,7 @@ impl Solver {
         self.problem.assign_columns(variables, columns, lower, upper)
     }
 
-    /// Limits the exchanges of one solve, at which it ends as [`Status::Stopped`] with a looser bound.
+    /// Limits the exchanges of one solve, at which it ends as [`Status::Stopped`](crate::Status::Stopped) with a looser bound.
     ///
     /// `None` is the default: a solve ends by itself, after at most about `36 (n + m + 10)` exchanges, of which it needs few.
     pub fn set_pivot_limit(&mut self, limit: Option<usize>) {
@@ -158,7 +158,7 @@ impl Solver {
     /// the maximum over the set with its ranges wider by some roundings, `12 (n + 4)` units of 2^-53, of the rows' 1-norms (1e-12 of
     /// these, where rows contradict each other by less).
     ///
-    /// **Guarantee:** `max c'x <= bound` in real arithmetic; [`Status::Empty`] only if the set is proven empty. The minimum
+    /// **Guarantee:** `max c'x <= bound` in real arithmetic; [`Status::Empty`](crate::Status::Empty) only if the set is proven empty. The minimum
     /// of `c'x` is at least minus the bound for `-c`.
     ///
     /// # Errors

@@ -56,7 +56,7 @@ mod tests {
         assert!(!Case::leave_nothing(&cover, &whole[..2]) && !Case::leave_nothing(&cover, &[]));
         assert!(!Case::leave_nothing(&cover, &cases(&[[-1.0, 0.5], [0.5_f64.next_up(), 2.0]])));
         assert!(!Case::leave_nothing(&cover, &cases(&[[-1.0, 2.0_f64.next_down()]])));
-        assert!(!Case::leave_nothing(&cover, &cases(&[[-1.0_f64.next_down(), -1.0], [0.0, 3.0]])));
+        assert!(!Case::leave_nothing(&cover, &cases(&[[(-1.0_f64).next_down(), -1.0], [0.0, 3.0]])));
         assert!(Case::leave_nothing(&Interval::ONE, &cases(&[[1.0, 1.0]])));
         assert!(!Case::leave_nothing(&Interval::ENTIRE, &whole));
         let proof = Evidence::Cases { cover, cases: whole.clone() };

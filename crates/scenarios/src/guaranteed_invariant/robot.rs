@@ -254,10 +254,10 @@ mod tests {
         let [lo, hi] = log.admissible_scales(&bounds, &[]).unwrap();
         assert!(lo < log.scale && log.scale < hi);
         assert!(hi - lo < 2.0 * 0.95 * 0.01 / 0.5 && hi - lo > 0.5 * 2.0 * 0.95 * 0.01 / 0.5, "{}", hi - lo);
-        // Ten seconds with the bound of one.
+        // Ten seconds with five times the bound of one: half the width.
         let mut span = Span::new(&log, 10, SAFETY);
-        span.chord_m = bounds.shift_m;
+        span.chord_m = [0.05, 0.1];
         let [lo, hi] = log.admissible_scales(&bounds, &[span]).unwrap();
-        assert!(hi - lo < 2.2 * 0.95 * 0.01 / 5.0, "{}", hi - lo);
+        assert!(lo < log.scale && log.scale < hi && hi - lo < 2.2 * 0.95 * 0.05 / 5.0, "{}", hi - lo);
     }
 }
