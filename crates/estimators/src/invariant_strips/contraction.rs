@@ -6,6 +6,7 @@ use scalars::rounding::{add_down, add_up, div_up, mul_up, sub_down, sub_up};
 use super::InvariantStrips;
 use super::arc::{Arc, Cap, TURN};
 use super::plane::{Region, Vector, middle, norm1, radius, unit};
+use super::tags::Origin;
 use crate::{EstimatorError, Evidence};
 
 /// Most passes over the arc of one update, and the share of its width that a pass must take off for another one.
@@ -268,7 +269,12 @@ impl InvariantStrips {
         match self.rows.contradiction().filter(|_| self.emptied) {
             Some(proof) => {
                 let culprits = proof.rows().iter().map(|&i| self.culprit(i)).collect();
-                self.inconsistent(culprits, Evidence::HalfSpaces { proof: Box::new(proof.clone()) })
+                let evidence = Evidence::HalfSpaces { proof: Box::new(proof.clone()) };
+                if proof.rows().iter().any(|&i| self.tags[i].origin == Origin::Derived) {
+                    self.inconsistent_with_arc(culprits, evidence)
+                } else {
+                    self.inconsistent(culprits, evidence)
+                }
             }
             None => self.contradiction(self.unproven()),
         }

@@ -32,8 +32,15 @@ impl InvariantStrips {
     pub(super) fn contradiction(&self, evidence: Evidence) -> EstimatorError {
         // Derived rows, the last ones, may be gone: they stand for the prediction.
         let rows = self.suspects.iter().filter(|&&i| i < self.tags.len());
-        let mut culprits: Vec<Culprit> = rows.map(|&i| self.culprit(i)).collect();
+        self.inconsistent_with_arc(rows.map(|&i| self.culprit(i)).collect(), evidence)
+    }
+
+    /// The error with these culprits, the prediction and all measurements of this instant that have carried a bound: arc, scale and arms may be
+    /// what they are by them.
+    pub(super) fn inconsistent_with_arc(&self, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
         culprits.push(Culprit::Prediction);
+        let used = (0..self.tags.len()).filter(|&i| self.tags[i].used == self.instant).map(|i| self.culprit(i));
+        culprits.extend(used.filter(|culprit| matches!(culprit, Culprit::Measurement(_))));
         self.inconsistent(culprits, evidence)
     }
 

@@ -64,7 +64,7 @@ const REFRESH_WIDTH: f64 = 2.0;
 /// included. A contradiction is proven and names the measurements that take part, this step's as [`Culprit::Measurement`] and
 /// older ones as [`Culprit::Earlier`]; entry `2 m + k` is number `k` of measurement `m`. The set is then the predicted one. Its evidence
 /// are rows with multipliers, two disjoint bounds, or such for each part of the circle of headings ([`Evidence::Cases`]), and can be
-/// checked again; only bounds that cross by less than a proof can show are [`Evidence::Propagation`].
+/// checked again as far as rows go that hold in each part; where bounds cross without one of these, it is [`Evidence::Propagation`].
 ///
 /// [`Evidence::Cases`]: crate::Evidence::Cases
 /// [`Evidence::Propagation`]: crate::Evidence::Propagation

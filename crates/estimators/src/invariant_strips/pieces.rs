@@ -10,7 +10,7 @@ use scalars::rounding::{add_up, div_up, sub_down, sub_up};
 use super::InvariantStrips;
 use super::arc::{Arc, hull_of_pieces};
 use super::plane::{Region, middle, unit};
-use crate::{Case, Culprit, EstimatorError, Evidence};
+use crate::{Case, EstimatorError, Evidence};
 
 /// Widest arc that is not cut, and the widest piece.
 const UNCUT: f64 = 0.15;
@@ -51,6 +51,7 @@ impl InvariantStrips {
 
     /// Contracts arc, scale, arms and positions piece by piece, again while it shrinks the arc a good deal.
     pub(super) fn contract_by_pieces(&mut self) -> Result<(), EstimatorError> {
+        self.union.blamed.clear();
         for _ in 0..ROUNDS {
             if !self.is_worth_cutting() {
                 break;
@@ -66,7 +67,6 @@ impl InvariantStrips {
 
     /// One round.
     fn cut(&mut self) -> Result<(), EstimatorError> {
-        self.suspects.clear();
         self.drop_derived();
         let rows = self.rows.len();
         let pieces = Pieces::of(self.arc);
@@ -74,10 +74,9 @@ impl InvariantStrips {
         for k in 0..pieces.count {
             self.arc = pieces.piece(k);
             self.push_derived()?;
-            let possible = self.contract_piece()?;
-            if !possible {
-                let active = self.rows.active().iter().map(|&(i, _)| i).filter(|&i| i < rows);
-                self.union.blamed.extend(active);
+            self.suspects.clear();
+            if !self.contract_piece()? {
+                self.union.blamed.extend(self.suspects.iter().filter(|&&i| i < rows));
             }
             self.keep(rows);
         }
@@ -196,9 +195,8 @@ impl InvariantStrips {
 
     /// Each piece is impossible.
     fn no_piece(&self, evidence: Evidence) -> EstimatorError {
-        let mut culprits: Vec<Culprit> = self.union.blamed.iter().map(|&i| self.culprit(i)).collect();
-        culprits.push(Culprit::Prediction);
-        self.inconsistent(culprits, if evidence.verify() { evidence } else { self.unproven() })
+        let culprits = self.union.blamed.iter().map(|&i| self.culprit(i)).collect();
+        self.inconsistent_with_arc(culprits, if evidence.verify() { evidence } else { self.unproven() })
     }
 
     /// Bounds of all functionals on the list, over the pieces if the arc was cut; the derived rows are gone then.
@@ -261,7 +259,6 @@ impl Union {
         self.scale = None;
         self.body.clear();
         self.fixed.clear();
-        self.blamed.clear();
     }
 }
 

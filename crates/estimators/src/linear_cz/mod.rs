@@ -25,7 +25,7 @@ use crate::{Culprit, EstimatorError};
 /// All three are exact but for rounding, which is enclosed; only a [`limit`](LinearOptions::limit) makes sets larger than the states that
 /// agree with all measurements. A call that fails leaves the filter as it was. In steady state, with a limit, nothing is allocated.
 ///
-/// **Guarantee:** [`Guarantee::Rigorous`].
+/// **Guarantee:** [`Guarantee::Rigorous`](crate::Guarantee::Rigorous).
 /// **Source:** paper 003, Appendix B; Scott, Raimondo, Marseglia, Braatz 2016.
 ///
 /// ```
@@ -165,10 +165,10 @@ impl LinearCz {
         Ok(())
     }
 
-    /// [`update`](Estimator::update) with the input `u_k` that acts on the outputs, and outputs that may be missing.
+    /// [`update`](crate::Estimator::update) with the input `u_k` that acts on the outputs, and outputs that may be missing.
     ///
     /// # Errors
-    /// As [`update`](Estimator::update).
+    /// As [`update`](crate::Estimator::update).
     pub fn update_some(&mut self, output: &[Option<f64>], input: &[f64]) -> Result<(), EstimatorError> {
         self.draft.clone_from(&self.state);
         self.system.check_measurement(self.draft.set.dim())?;

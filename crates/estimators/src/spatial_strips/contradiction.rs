@@ -27,7 +27,13 @@ impl SpatialStrips {
         match self.rows.contradiction().filter(|_| self.emptied) {
             Some(proof) => {
                 let culprits = proof.rows().iter().map(|&i| self.culprit(i)).collect();
-                Err(self.inconsistent(culprits, Evidence::HalfSpaces { proof: Box::new(proof.clone()) }))
+                let evidence = Evidence::HalfSpaces { proof: Box::new(proof.clone()) };
+                let of_cell = proof.rows().iter().any(|&i| self.tags[i].origin == Origin::Derived);
+                Err(if of_cell {
+                    self.inconsistent_with_cell(culprits, evidence)
+                } else {
+                    self.inconsistent(culprits, evidence)
+                })
             }
             None => Err(self.no_cell()),
         }
@@ -47,8 +53,15 @@ impl SpatialStrips {
     fn contradiction(&self, evidence: Evidence) -> EstimatorError {
         // Derived rows, the last ones, may be gone: they stand for the prediction.
         let rows = self.suspects.iter().filter(|&&i| i < self.tags.len());
-        let mut culprits: Vec<Culprit> = rows.map(|&i| self.culprit(i)).collect();
+        self.inconsistent_with_cell(rows.map(|&i| self.culprit(i)).collect(), evidence)
+    }
+
+    /// The error with these culprits, the prediction and all measurements of this instant that have carried a bound: the cells may be what they
+    /// are by them.
+    fn inconsistent_with_cell(&self, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
         culprits.push(Culprit::Prediction);
+        let used = (0..self.tags.len()).filter(|&i| self.tags[i].used == self.instant).map(|i| self.culprit(i));
+        culprits.extend(used.filter(|culprit| matches!(culprit, Culprit::Measurement(_))));
         self.inconsistent(culprits, evidence)
     }
 

@@ -84,6 +84,7 @@ impl SpatialIncrement {
         let half = (dt * dt).scale(0.5);
         let turn = rate.map(|r| r * dt_s);
         check_finite("turn", &turn)?;
+        check_bounded("noise of the rate", &rate_noise)?;
         // exp(turn + n) = exp(turn) exp(alpha), with the rounding of the turn in n.
         let off =
             core::array::from_fn(|k| Interval::point(rate[k]) * dt - Interval::point(turn[k]) + dt * rate_noise[k]);

@@ -40,11 +40,11 @@ use crate::{Estimator, EstimatorError, Guarantee, StripsOptions};
 /// Its rows are past measurements, each carried along exactly; only the products of noise and state cost anything. What is not linear, that `Z` is a
 /// rotation, is kept as boxes of rotation vectors ([`cells`](Self::cells)), which the rows contract and which give bounds on the entries of `Z` in turn. One cell
 /// is enough once the attitude is known to a quarter of a radian; before that a wide one is cut into at most [`StripsOptions::caps`], and those that the
-/// rows refute are dropped. [`StripsOptions::aligned`] has no meaning here.
+/// rows refute are dropped. [`StripsOptions::aligned`] and [`StripsOptions::spans`] have no meaning here.
 ///
 /// **Guarantee:** [`Guarantee::Rigorous`]: if the state lies in the prior and all noises in their ranges, it lies in every set, rounding
 /// included. A contradiction is proven and names the measurements that take part, as [`InvariantStrips`](crate::InvariantStrips) does; entry `3 m + k` is number `k` of
-/// measurement `m`. The set is then the predicted one.
+/// measurement `m`. The set is then the predicted one. A proof within the last cell takes as premise that the others are excluded.
 ///
 /// ```
 /// use estimators::{Estimator, SpatialBox, SpatialIncrement, SpatialMeasurement, SpatialStrips, StripsOptions};

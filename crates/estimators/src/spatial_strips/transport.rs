@@ -266,7 +266,7 @@ impl Motion {
                 + extent * norm1(drift) * 1e-13;
         }
         let frobenius = lever.as_flattened().iter().map(|x| x * x).sum::<f64>().sqrt();
-        let widest = self.views.iter().map(|view| self.charge(view, &lever)).fold(0.0, f64::max);
+        let widest = self.views.iter().map(|view| self.charge(view, &lever)).fold(0.0, larger);
         let pad = self.pad * (size * norm1(self.turns) + shifted);
         (widest + self.bent * (frobenius + 1e-13 * size) + plain + pad) * SLACK + 1e3 * ETA
     }
@@ -292,4 +292,9 @@ impl Motion {
         }
         charge
     }
+}
+
+/// The larger of two numbers, NaN if one is.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
 }

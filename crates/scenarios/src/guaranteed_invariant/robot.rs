@@ -163,7 +163,7 @@ fn moved_by_wheels(marker: &Pose, l: [f64; 2]) -> TruePose {
 fn increment(samples: &[Sample], rule: Rule) -> Increment {
     let (mut turn_rad, mut shift_m) = (0.0_f64, [0.0_f64; 2]);
     for pair in samples.windows(2) {
-        let speeds = if rule == Rule::Ends { &pair[1] } else { &pair[0] };
+        let speeds = rule.read(&pair[0], &pair[1]);
         let period_s = pair[1].time_s - pair[0].time_s;
         let turned = period_s * speeds.gyro_rad_s;
         // The chord of the arc points along the mean heading; its length differs from the arc's by turned^2 / 24, 1e-6 of it here.
