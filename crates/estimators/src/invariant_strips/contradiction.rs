@@ -28,17 +28,16 @@ impl InvariantStrips {
         self.contradiction(Evidence::Disjoint { predicted, required })
     }
 
-    /// The error with the rows that carry the bounds of this contraction as culprits, beside the prediction.
+    /// The error with the rows that carry the bounds of this contraction as culprits.
     pub(super) fn contradiction(&self, evidence: Evidence) -> EstimatorError {
         // Derived rows, the last ones, may be gone: they stand for the prediction.
         let rows = self.suspects.iter().filter(|&&i| i < self.tags.len());
         self.inconsistent_with_arc(rows.map(|&i| self.culprit(i)).collect(), evidence)
     }
 
-    /// The error with these culprits, the prediction and all measurements of this instant that have carried a bound: arc, scale and arms may be
+    /// The error with these culprits and all measurements of this instant that have carried a bound: arc, scale and arms may be
     /// what they are by them.
     pub(super) fn inconsistent_with_arc(&self, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
-        culprits.push(Culprit::Prediction);
         let used = (0..self.tags.len()).filter(|&i| self.tags[i].used == self.instant).map(|i| self.culprit(i));
         culprits.extend(used.filter(|culprit| matches!(culprit, Culprit::Measurement(_))));
         self.inconsistent(culprits, evidence)
@@ -78,8 +77,9 @@ impl InvariantStrips {
         Ok(if evidence.verify() { evidence } else { self.unproven() })
     }
 
-    /// The error with these culprits, in order.
+    /// The error with these culprits and the prediction, in order.
     pub(super) fn inconsistent(&self, mut culprits: Vec<Culprit>, evidence: Evidence) -> EstimatorError {
+        culprits.push(Culprit::Prediction);
         culprits.sort_unstable();
         culprits.dedup();
         let guarantee = Guarantee::Rigorous;

@@ -137,6 +137,7 @@ pub struct InvariantStrips {
 /// What an update changes beside the rows.
 #[derive(Debug, Clone)]
 struct Before {
+    tags: Vec<Tag>,
     arc: Arc,
     enclosure: PlanarBox,
     axis: Vector,
@@ -181,7 +182,7 @@ impl InvariantStrips {
             suspects: Vec::new(),
             motion: Motion::new(fixed, body),
             spans: Spans::default(),
-            before: Before { arc, enclosure: prior.clone(), axis: [1.0, 0.0], turned },
+            before: Before { tags: Vec::new(), arc, enclosure: prior.clone(), axis: [1.0, 0.0], turned },
             pruning: Pruning::default(),
             normal: vec![0.0; embedding.dim()],
             center: Vec::new(),
@@ -269,6 +270,7 @@ impl Estimator for InvariantStrips {
         self.programs = 0;
         self.instant += 1;
         let kept = self.rows.len();
+        self.before.tags.clone_from(&self.tags);
         self.before.arc = self.arc;
         self.before.axis = self.axis;
         self.before.turned.clone_from(&self.turned);
@@ -280,7 +282,7 @@ impl Estimator for InvariantStrips {
             core::mem::swap(&mut self.turned, &mut self.before.turned);
             core::mem::swap(&mut self.enclosure, &mut self.before.enclosure);
             // Rows count as used at this instant only by an update that stands.
-            self.tags.iter_mut().filter(|tag| tag.used == self.instant).for_each(|tag| tag.used = 0);
+            core::mem::swap(&mut self.tags, &mut self.before.tags);
             self.instant -= 1;
             return Err(error);
         }

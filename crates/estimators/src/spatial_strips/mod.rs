@@ -107,6 +107,7 @@ pub struct SpatialStrips {
 /// What an update changes beside the rows.
 #[derive(Debug, Clone)]
 struct Before {
+    tags: Vec<Tag>,
     cells: Vec<Cell>,
     enclosure: SpatialBox,
 }
@@ -129,7 +130,7 @@ impl SpatialStrips {
             options,
             step: 0,
             instant: 0,
-            before: Before { cells: cells.clone(), enclosure: prior.clone() },
+            before: Before { tags: Vec::new(), cells: cells.clone(), enclosure: prior.clone() },
             cells,
             enclosure: prior.clone(),
             reach: prior.vectors.clone(),
@@ -215,6 +216,7 @@ impl Estimator for SpatialStrips {
         self.programs = 0;
         self.instant += 1;
         let kept = self.rows.len();
+        self.before.tags.clone_from(&self.tags);
         self.before.cells.clone_from(&self.cells);
         self.before.enclosure.assign(&self.enclosure);
         if let Err(error) = self.correct(output) {
@@ -222,7 +224,7 @@ impl Estimator for SpatialStrips {
             core::mem::swap(&mut self.cells, &mut self.before.cells);
             core::mem::swap(&mut self.enclosure, &mut self.before.enclosure);
             // Rows count as used at this instant only by an update that stands.
-            self.tags.iter_mut().filter(|tag| tag.used == self.instant).for_each(|tag| tag.used = 0);
+            core::mem::swap(&mut self.tags, &mut self.before.tags);
             self.instant -= 1;
             return Err(error);
         }
