@@ -42,6 +42,7 @@ fn log_rows(log: &RobotLog) -> Vec<Row> {
     let bounds = log.log.stated_bounds(0.0);
     vec![
         row("least-squares scale", "").value(log.log.scale),
+        row("gain of the gyro", "").value(log.log.gyro_gain),
         row("bound(theta)", "rad").value(bounds.turn_rad),
         row("bound(U1)", "m").value(bounds.shift_m[0]),
         row("bound(U2)", "m").value(bounds.shift_m[1]),
